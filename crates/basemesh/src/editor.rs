@@ -1,0 +1,426 @@
+//! A base mesh that can be changed: flip, split, collapse and move a vertex, each recorded in the base map.
+//!
+//! Every edit keeps the mesh simplicial and its topology, or is refused and changes nothing.
+
+use crate::BaseError;
+use crate::layout::{are_unfolded, full_star, half_star, quad};
+use glam::{DVec2, DVec3};
+use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
+use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, Network, RegionMap, SheetId};
+
+/// A base face.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Face {
+    pub(crate) vertices: [VertexId; 3],
+    pub(crate) sheet: SheetId,
+    map: MapFaceId,
+}
+
+impl Face {
+    /// The corner of the face at a vertex.
+    fn corner(&self, v: VertexId) -> Option<usize> {
+        self.vertices.iter().position(|&w| w == v)
+    }
+    /// The face with its corners turned so that `v` comes first.
+    fn from(&self, v: VertexId) -> [VertexId; 3] {
+        let c = self.corner(v).unwrap_or(0);
+        [0, 1, 2].map(|i| self.vertices[(c + i) % 3])
+    }
+}
+
+/// The neighbours of a vertex, counter-clockwise, and the faces between one and the next.
+#[derive(Clone, Debug)]
+pub(crate) struct Ring {
+    pub(crate) vertices: Vec<VertexId>,
+    faces: Vec<FaceId>,
+    /// True all round, false from border to border.
+    pub(crate) closed: bool,
+}
+
+/// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
+pub(crate) struct Editor<'a> {
+    mesh: &'a TriMesh,
+    topology: &'a Topology,
+    network: &'a Network,
+    faces: IdVec<FaceId, Option<Face>>,
+    star: IdVec<VertexId, Vec<FaceId>>,
+    positions: IdVec<VertexId, DVec3>,
+    region: RegionMap,
+    map: BaseMap,
+    n_vertices: usize,
+}
+
+impl<'a> Editor<'a> {
+    /// Takes a base mesh apart. Fails when it is not manifold.
+    pub(crate) fn new(
+        mesh: &'a TriMesh,
+        topology: &'a Topology,
+        network: &'a Network,
+        base: BaseMesh,
+    ) -> Result<Self, BaseError> {
+        let BaseMesh { mesh: base, region, map, map_faces, .. } = base;
+        Topology::new(base.faces(), base.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
+        let mut star = IdVec::filled(Vec::new(), base.n_vertices());
+        let mut faces = IdVec::new();
+        for (f, &vertices) in base.faces().enumerate() {
+            faces.push(Some(Face { vertices, sheet: region.sheet_of_face[f], map: map_faces[f] }));
+            vertices.iter().for_each(|&v| star[v].push(f));
+        }
+        let n_vertices = star.iter().filter(|s: &&Vec<FaceId>| !s.is_empty()).count();
+        Ok(Self { mesh, topology, network, faces, star, positions: base.positions().clone(), region, map, n_vertices })
+    }
+
+    /// Number of vertices now.
+    pub(crate) fn n_vertices(&self) -> usize {
+        self.n_vertices
+    }
+    /// All vertices that there are now.
+    pub(crate) fn vertices(&self) -> Vec<VertexId> {
+        self.star.enumerate().filter(|(_, s)| !s.is_empty()).map(|(v, _)| v).collect()
+    }
+    /// All edges now, ends rising, in a fixed order.
+    pub(crate) fn edges(&self) -> Vec<[VertexId; 2]> {
+        let sides = self.faces.iter().flatten().flat_map(|f| (0..3).map(|c| [f.vertices[c], f.vertices[(c + 1) % 3]]));
+        let mut edges: Vec<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges
+    }
+    /// True while both vertices are joined.
+    pub(crate) fn is_edge(&self, a: VertexId, b: VertexId) -> bool {
+        self.star[a].iter().any(|&f| self.face(f).is_some_and(|f| f.vertices.contains(&b)))
+    }
+    /// Position of a vertex.
+    pub(crate) fn position(&self, v: VertexId) -> DVec3 {
+        self.positions[v]
+    }
+    /// Attachment of a vertex.
+    pub(crate) fn attachment(&self, v: VertexId) -> Attachment {
+        self.region.attachments[v]
+    }
+    /// The surface point of a vertex.
+    pub(crate) fn point(&self, v: VertexId) -> SurfacePoint {
+        self.region.points[v]
+    }
+    /// The part of an arc that an edge lies on.
+    pub(crate) fn span(&self, a: VertexId, b: VertexId) -> Option<ArcSpan> {
+        self.region.span(a, b)
+    }
+    /// The faces at a vertex.
+    pub(crate) fn faces_at(&self, v: VertexId) -> impl Iterator<Item = [VertexId; 3]> + '_ {
+        self.star[v].iter().filter_map(|&f| self.face(f)).map(|f| f.vertices)
+    }
+    /// Number of edges at a vertex.
+    pub(crate) fn valence(&self, v: VertexId) -> usize {
+        let on_border = self.ring(v).is_some_and(|r| !r.closed);
+        self.star[v].len() + usize::from(on_border)
+    }
+    fn face(&self, f: FaceId) -> Option<Face> {
+        self.faces[f]
+    }
+
+    /// The third vertices of the faces on the left and on the right of the edge from `a` to `b`, with the faces.
+    fn beside(&self, a: VertexId, b: VertexId) -> [Option<(FaceId, VertexId)>; 2] {
+        let find = |from: VertexId, to: VertexId| {
+            self.star[from].iter().find_map(|&f| {
+                let [_, next, opposite] = self.face(f)?.from(from);
+                (next == to).then_some((f, opposite))
+            })
+        };
+        [find(a, b), find(b, a)]
+    }
+
+    /// The vertices opposite to an edge on its left and right.
+    pub(crate) fn opposite(&self, a: VertexId, b: VertexId) -> [Option<VertexId>; 2] {
+        self.beside(a, b).map(|side| side.map(|s| s.1))
+    }
+
+    /// The one-ring of a vertex; `None` for a vertex that is gone.
+    pub(crate) fn ring(&self, v: VertexId) -> Option<Ring> {
+        let spokes: Vec<(VertexId, VertexId, FaceId)> = self.star[v]
+            .iter()
+            .filter_map(|&f| {
+                let [_, next, last] = self.face(f)?.from(v);
+                Some((next, last, f))
+            })
+            .collect();
+        let first = spokes.iter().find(|s| spokes.iter().all(|t| t.1 != s.0)).or(spokes.first())?;
+        let mut ring = Ring { vertices: vec![first.0], faces: Vec::new(), closed: false };
+        let mut at = first.0;
+        while let Some(s) = spokes.iter().find(|s| s.0 == at)
+            && ring.faces.len() < spokes.len()
+        {
+            ring.faces.push(s.2);
+            at = s.1;
+            ring.vertices.push(at);
+        }
+        ring.closed = at == first.0;
+        if ring.closed {
+            ring.vertices.pop();
+        }
+        Some(ring)
+    }
+
+    /// Replaces the edge between `a` and `b` by the other diagonal of its two faces. False when that is no simplicial mesh or the
+    /// edge lies on an arc.
+    pub(crate) fn flip(&mut self, a: VertexId, b: VertexId) -> bool {
+        let [Some((f, c)), Some((g, d))] = self.beside(a, b) else { return false };
+        if self.span(a, b).is_some() || c == d || self.is_edge(c, d) {
+            return false;
+        }
+        let [pa, pb, pc, pd] = quad([a, b, c, d].map(|v| self.positions[v]));
+        let old = [(f, [a, b, c], [pa, pb, pc]), (g, [b, a, d], [pb, pa, pd])];
+        let new = [([a, d, c], [pa, pd, pc]), ([d, b, c], [pd, pb, pc])];
+        self.replace(&old, &new)
+    }
+
+    /// Puts a vertex in the middle of an edge, on an arc at the middle of its span. `None` when that fails.
+    pub(crate) fn split(&mut self, a: VertexId, b: VertexId) -> Option<VertexId> {
+        let sides = self.beside(a, b);
+        let (f, _) = sides[0].or(sides[1])?;
+        let face = self.face(f)?;
+        let mut weights = DVec3::splat(0.5);
+        weights[(0..3).find(|&c| face.vertices[c] != a && face.vertices[c] != b)?] = 0.0;
+        let span = self.span(a, b);
+        let (attachment, point) = match span {
+            Some(s) => {
+                let arc = &self.network.arcs[s.arc];
+                let t = arc.normalise(0.5 * (s.from + s.to));
+                (Attachment::Arc { arc: s.arc, t }, arc.point(self.topology, t))
+            }
+            None => (Attachment::Sheet(face.sheet), self.map.locate(face.map, weights)),
+        };
+        let m = self.add_vertex(attachment, point);
+        // Halving a triangle means the same in every layout of it.
+        let [pa, pb, pc] = [DVec2::ZERO, DVec2::X, DVec2::Y];
+        let pm = pa.midpoint(pb);
+        for (side, a, b) in [(sides[0], a, b), (sides[1], b, a)] {
+            let Some((f, c)) = side else { continue };
+            if !self.replace(&[(f, [a, b, c], [pa, pb, pc])], &[([a, m, c], [pa, pm, pc]), ([m, b, c], [pm, pb, pc])]) {
+                return None;
+            }
+        }
+        if let Some(s) = span {
+            let middle = 0.5 * (s.from + s.to);
+            self.region.spans.remove(&[a.min(b), a.max(b)]);
+            self.region.insert_span(a, m, ArcSpan { to: middle, ..s });
+            self.region.insert_span(m, b, ArcSpan { from: middle, ..s });
+        }
+        self.n_vertices += 1;
+        Some(m)
+    }
+
+    /// Takes `v` away and joins its neighbours to `u`, which must be one of them. A vertex on an arc only moves along the arc, a
+    /// corner never. False when the result were no simplicial mesh.
+    pub(crate) fn collapse(&mut self, v: VertexId, u: VertexId) -> bool {
+        let Some(ring) = self.ring(v) else { return false };
+        match self.attachment(v) {
+            Attachment::Corner(_) => false,
+            Attachment::Sheet(_) => ring.closed && self.collapse_inside(v, u, &ring),
+            Attachment::Arc { .. } => self.collapse_along(v, u, &ring),
+        }
+    }
+
+    fn collapse_inside(&mut self, v: VertexId, u: VertexId, ring: &Ring) -> bool {
+        let n = ring.vertices.len();
+        let Some(start) = ring.vertices.iter().position(|&w| w == u) else { return false };
+        // The neighbours but those beside u get an edge to u.
+        if n < 4 || (2..n - 1).any(|i| self.is_edge(u, ring.vertices[(start + i) % n])) {
+            return false;
+        }
+        let order = |i: usize| (start + i) % n;
+        let fan = |p: &[DVec2]| -> Vec<[DVec2; 3]> { (1..n - 1).map(|i| [p[order(0)], p[order(i)], p[order(i + 1)]]).collect() };
+        let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.positions[w]).collect();
+        let flat = full_star(self.positions[v], &positions, |p| are_unfolded(&fan(p)));
+        let old: Vec<_> = (0..n)
+            .map(|i| {
+                (ring.faces[i], [v, ring.vertices[i], ring.vertices[(i + 1) % n]], [DVec2::ZERO, flat[i], flat[(i + 1) % n]])
+            })
+            .collect();
+        let corners = (1..n - 1).map(|i| [u, ring.vertices[order(i)], ring.vertices[order(i + 1)]]);
+        let new: Vec<_> = corners.zip(fan(&flat)).collect();
+        let done = self.replace(&old, &new);
+        self.n_vertices -= usize::from(done);
+        done
+    }
+
+    /// Collapses along an arc: both sides of it are laid out on their own, with the arc straight and by arc length.
+    fn collapse_along(&mut self, v: VertexId, u: VertexId, ring: &Ring) -> bool {
+        let along: Vec<VertexId> = ring.vertices.iter().copied().filter(|&w| self.span(v, w).is_some()).collect();
+        let w = match along[..] {
+            [a, b] if a == u => b,
+            [a, b] if b == u => a,
+            _ => return false,
+        };
+        let (Some(to_u), Some(to_w)) = (self.span(v, u), self.span(v, w)) else { return false };
+        if self.is_edge(u, w) {
+            return false;
+        }
+        let mut sides = Vec::new();
+        for (first, last) in [(u, w), (w, u)] {
+            let Some(side) = side_between(ring, first, last) else { continue };
+            let inner = &side.vertices[1..side.vertices.len() - 1];
+            // u gets an edge to all on this side but w and its own neighbour.
+            let skip = if first == u { 0 } else { inner.len().saturating_sub(1) };
+            if inner.is_empty() || inner.iter().enumerate().any(|(i, &x)| i != skip && self.is_edge(u, x)) {
+                return false;
+            }
+            sides.push((side, first == u));
+        }
+        if let [(a, _), (b, _)] = &sides[..]
+            && a.vertices[1..a.vertices.len() - 1].iter().any(|x| b.vertices[1..b.vertices.len() - 1].contains(x))
+        {
+            return false;
+        }
+        let (mut old, mut new) = (Vec::new(), Vec::new());
+        for (side, starts_at_u) in &sides {
+            let edit = self.side_edit(v, u, side, *starts_at_u, (to_u.to - to_u.from).abs(), (to_w.to - to_w.from).abs());
+            let Some((o, n)) = edit else { return false };
+            old.push(o);
+            new.push(n);
+        }
+        for (o, n) in old.iter().zip(&new) {
+            if !self.replace(o, n) {
+                debug_assert!(false, "a layout that was checked is refused");
+                return false;
+            }
+        }
+        self.region.spans.remove(&[v.min(u), v.max(u)]);
+        self.region.spans.remove(&[v.min(w), v.max(w)]);
+        self.region.insert_span(u, w, ArcSpan { arc: to_u.arc, from: to_u.to, to: to_u.from + to_w.to - to_w.from });
+        self.n_vertices -= 1;
+        true
+    }
+
+    /// The edit of one side of an arc when `v` goes to `u`.
+    #[allow(clippy::type_complexity, reason = "the two lists that `replace` takes")]
+    fn side_edit(
+        &self,
+        v: VertexId,
+        u: VertexId,
+        side: &Ring,
+        starts_at_u: bool,
+        to_u: f64,
+        to_w: f64,
+    ) -> Option<(Vec<(FaceId, [VertexId; 3], [DVec2; 3])>, Vec<([VertexId; 3], [DVec2; 3])>)> {
+        let n = side.vertices.len();
+        let positions: Vec<DVec3> = side.vertices.iter().map(|&w| self.positions[w]).collect();
+        let apex = if starts_at_u { 0 } else { n - 1 };
+        let gaps = if starts_at_u { 1..n - 1 } else { 0..n - 2 };
+        let fan = |p: &[DVec2]| -> Vec<[DVec2; 3]> { gaps.clone().map(|i| [p[apex], p[i], p[i + 1]]).collect() };
+        let spokes = |p: &[DVec2]| -> Vec<[DVec2; 3]> { (0..n - 1).map(|i| [DVec2::ZERO, p[i], p[i + 1]]).collect() };
+        let (ahead, behind) = if starts_at_u { (to_u, to_w) } else { (to_w, to_u) };
+        let flat = half_star(self.positions[v], &positions, ahead, behind, |p| are_unfolded(&fan(p)) && are_unfolded(&spokes(p)));
+        let faces = side.faces.iter().zip(side.vertices.windows(2)).zip(spokes(&flat));
+        let old: Vec<_> = faces.map(|((&f, w), p)| (f, [v, w[0], w[1]], p)).collect();
+        let new: Vec<_> = gaps.clone().map(|i| [u, side.vertices[i], side.vertices[i + 1]]).zip(fan(&flat)).collect();
+        let valid = |t: &[DVec2; 3]| mesh_core::exact::orient2d(t[0], t[1], t[2]) > 0.0;
+        (old.iter().all(|o| valid(&o.2)) && new.iter().all(|n| valid(&n.1))).then_some((old, new))
+    }
+
+    /// Moves an inner vertex of a sheet towards the weighted centroid of its one-ring in a flat layout. False when it stays.
+    pub(crate) fn relax_vertex(&mut self, v: VertexId, weight: impl Fn(VertexId) -> f64) -> bool {
+        let Some(ring) = self.ring(v).filter(|r| r.closed) else { return false };
+        if !matches!(self.attachment(v), Attachment::Sheet(_)) {
+            return false;
+        }
+        let n = ring.vertices.len();
+        let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.positions[w]).collect();
+        let star = |p: &[DVec2], at: DVec2| -> Vec<[DVec2; 3]> { (0..n).map(|i| [at, p[i], p[(i + 1) % n]]).collect() };
+        let flat = full_star(self.positions[v], &positions, |p| are_unfolded(&star(p, DVec2::ZERO)));
+        let weights: Vec<f64> = ring.vertices.iter().map(|&w| weight(w)).collect();
+        let centroid: DVec2 = flat.iter().zip(&weights).map(|(p, w)| *p * *w).sum::<DVec2>() / weights.iter().sum::<f64>();
+        let new_star = star(&flat, centroid);
+        if !are_unfolded(&new_star) || centroid.length() < 0.02 {
+            return false;
+        }
+        // Where the centroid lies in the old star decides the surface point.
+        let corners = |i: usize| [v, ring.vertices[i], ring.vertices[(i + 1) % n]];
+        let old: Vec<_> = (0..n).map(|i| (ring.faces[i], corners(i), star(&flat, DVec2::ZERO)[i])).collect();
+        let new: Vec<_> = (0..n).map(|i| (corners(i), new_star[i])).collect();
+        if !self.replace(&old, &new) {
+            return false;
+        }
+        if let Some((f, face)) = self.star[v].iter().find_map(|&f| Some((f, self.face(f)?))) {
+            let mut corner = DVec3::ZERO;
+            corner[face.corner(v).unwrap_or(0)] = 1.0;
+            let point = self.map.locate(self.faces[f].map_or(face.map, |f| f.map), corner);
+            self.region.points[v] = point;
+            self.positions[v] = point.position(self.mesh);
+        }
+        true
+    }
+
+    fn add_vertex(&mut self, attachment: Attachment, point: SurfacePoint) -> VertexId {
+        self.region.attachments.push(attachment);
+        self.region.points.push(point);
+        self.star.push(Vec::new());
+        self.positions.push(point.position(self.mesh))
+    }
+
+    /// Replaces faces by others over the same flat polygon, in the mesh and in the map.
+    fn replace(&mut self, old: &[(FaceId, [VertexId; 3], [DVec2; 3])], new: &[([VertexId; 3], [DVec2; 3])]) -> bool {
+        let Some(sheet) = old.first().and_then(|o| self.face(o.0)).map(|f| f.sheet) else { return false };
+        // The map knows a face by its own order of corners.
+        let turned: Option<Vec<(MapFaceId, [DVec2; 3])>> = old
+            .iter()
+            .map(|(f, vertices, layout)| {
+                let face = self.face(*f)?;
+                let c = vertices.iter().position(|&v| v == face.vertices[0])?;
+                Some((face.map, [0, 1, 2].map(|i| layout[(c + i) % 3])))
+            })
+            .collect();
+        let layouts: Vec<[DVec2; 3]> = new.iter().map(|n| n.1).collect();
+        let Some(made) = turned.and_then(|t| self.map.replace(&t, &layouts).ok()) else { return false };
+        for (f, vertices, _) in old {
+            vertices.iter().for_each(|&v| self.star[v].retain(|g| g != f));
+            self.faces[*f] = None;
+        }
+        for ((vertices, _), map) in new.iter().zip(made) {
+            let f = self.faces.push(Some(Face { vertices: *vertices, sheet, map }));
+            vertices.iter().for_each(|&v| self.star[v].push(f));
+        }
+        true
+    }
+
+    /// The base mesh, without holes in the numbering; corners of the network first, then the rest in order.
+    pub(crate) fn finish(self) -> Result<BaseMesh, BaseError> {
+        let mut number = IdVec::<VertexId, Option<VertexId>>::filled(None, self.star.len());
+        let (mut attachments, mut points, mut positions) = (IdVec::new(), IdVec::new(), Vec::new());
+        for v in self.vertices() {
+            number[v] = Some(attachments.push(self.region.attachments[v]));
+            points.push(self.region.points[v]);
+            positions.push(self.positions[v]);
+        }
+        let renumbered = |v: VertexId| number[v].ok_or_else(|| BaseError::Internal(format!("vertex {v} is gone but used")));
+        let (mut faces, mut map_faces, mut sheet_of_face) = (Vec::new(), IdVec::new(), IdVec::new());
+        for face in self.faces.iter().flatten() {
+            let [a, b, c] = face.vertices;
+            faces.push([renumbered(a)?.0, renumbered(b)?.0, renumbered(c)?.0]);
+            map_faces.push(face.map);
+            sheet_of_face.push(face.sheet);
+        }
+        let mut region = RegionMap { attachments, points, sheet_of_face, spans: Default::default() };
+        for (&[a, b], &span) in &self.region.spans {
+            region.insert_span(renumbered(a)?, renumbered(b)?, span);
+        }
+        let mesh = TriMesh::new(positions, faces).map_err(|e| BaseError::Internal(e.to_string()))?;
+        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
+        region.check(&topology, self.network).map_err(|e| BaseError::Internal(e.to_string()))?;
+        Ok(BaseMesh { mesh, region, map: self.map, map_faces, counts: Default::default() })
+    }
+}
+
+/// The part of a ring from one of its vertices to another, counter-clockwise; `None` where the border lies between.
+fn side_between(ring: &Ring, first: VertexId, last: VertexId) -> Option<Ring> {
+    let n = ring.vertices.len();
+    let start = ring.vertices.iter().position(|&v| v == first)?;
+    let end = ring.vertices.iter().position(|&v| v == last)?;
+    if !ring.closed && end < start {
+        return None;
+    }
+    let count = (end + n - start) % n;
+    let vertices = (0..=count).map(|i| ring.vertices[(start + i) % n]).collect();
+    let faces = (0..count).map(|i| ring.faces[(start + i) % n]).collect();
+    Some(Ring { vertices, faces, closed: false })
+}

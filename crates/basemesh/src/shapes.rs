@@ -1,0 +1,126 @@
+//! Segmented shapes for the tests of this crate.
+
+use crate::{BaseOptions, build};
+use mesh_core::{FaceId, Id, IdVec, Topology, TriMesh};
+use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation};
+use segment_cvt::{CvtOptions, SizingField, sample};
+
+/// A mesh with its network and patches.
+pub(crate) struct Shape {
+    pub(crate) mesh: TriMesh,
+    pub(crate) topology: Topology,
+    pub(crate) network: Network,
+    pub(crate) segmentation: Segmentation,
+    pub(crate) cells: Cells,
+}
+
+impl Shape {
+    /// Creases above 40 degrees; patches are the connected parts of equal labels.
+    pub(crate) fn new(mesh: TriMesh, label: impl Fn(&TriMesh, FaceId) -> u32) -> Self {
+        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+        let kind = |e| match topology.edge_faces(e) {
+            (_, None) => Some(ArcKind::Border),
+            (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
+        };
+        let kinds = topology.edge_ids().map(kind).collect();
+        let network = Network::trace(&mesh, &topology, &kinds, |_| false, Vec::new());
+        let same = |e| topology.edge_faces(e).1.is_some_and(|g| label(&mesh, topology.edge_faces(e).0) == label(&mesh, g));
+        let (patches, n_patches) = topology.regions(|e| kinds[e].is_none() && same(e));
+        let patch_of_face = patches.iter().map(|&p| PatchId(p)).collect();
+        let segmentation = Segmentation { patch_of_face, n_patches };
+        let cells = Cells::trace(&mesh, &topology, &network, &segmentation).unwrap();
+        Self { mesh, topology, network, segmentation, cells }
+    }
+
+    pub(crate) fn cube() -> Self {
+        Self::new(fixtures::cube(6), |_, _| 0)
+    }
+    pub(crate) fn box_of_twelve() -> Self {
+        Self::new(fixtures::cube(1), |_, _| 0)
+    }
+    /// The side of a cylinder in four quarters.
+    pub(crate) fn cylinder() -> Self {
+        Self::new(fixtures::cylinder(1.0, 2.0, 24), |m, f| {
+            let c = m.centroid(f);
+            if m.normal(f).z.abs() > 0.9 { 9 } else { u32::from(c.x > 0.0) + 2 * u32::from(c.y > 0.0) }
+        })
+    }
+    /// A sphere in eight octants.
+    pub(crate) fn sphere() -> Self {
+        Self::new(fixtures::icosphere(8), |m, f| {
+            let c = m.centroid(f);
+            u32::from(c.x > 0.0) + 2 * u32::from(c.y > 0.0) + 4 * u32::from(c.z > 0.0)
+        })
+    }
+    /// A torus in four by four parts.
+    pub(crate) fn torus() -> Self {
+        let quarter = |a: f64| (a.rem_euclid(std::f64::consts::TAU) / std::f64::consts::FRAC_PI_2) as u32;
+        Self::new(fixtures::torus(2.0, 0.8, 32, 20), move |m, f| {
+            let c = m.centroid(f);
+            quarter(c.y.atan2(c.x)) + 4 * quarter(c.z.atan2(c.truncate().length() - 2.0))
+        })
+    }
+
+    /// A base mesh of about `n` vertices, with or without improvement.
+    pub(crate) fn base(&self, n: usize, rounds: usize) -> BaseMesh {
+        let sampled =
+            sample(&self.mesh, &self.cells, &SizingField::uniform(), &CvtOptions { base_vertices: n, ..Default::default() })
+                .unwrap();
+        let options = BaseOptions { base_vertices: n, rounds };
+        build(&self.mesh, &self.topology, &self.network, &self.cells, &sampled.sites, &options).unwrap()
+    }
+
+    /// Points spread over the surface.
+    pub(crate) fn points(&self, n: usize) -> Vec<mesh_core::SurfacePoint> {
+        (0..n)
+            .map(|i| {
+                let s = |k: f64| (i as f64 * k + 0.37).fract();
+                let face = FaceId::new((s(0.754_877_666) * self.mesh.n_faces() as f64) as usize);
+                mesh_core::SurfacePoint::new(face, glam::DVec3::new(s(0.618_034), s(0.569_84), s(0.245_12)))
+            })
+            .collect()
+    }
+
+    /// Everything that a base mesh promises.
+    pub(crate) fn check(&self, base: &BaseMesh) {
+        let topology = Topology::new(base.mesh.faces(), base.mesh.n_vertices()).unwrap();
+        assert_eq!(topology.euler(), self.topology.euler());
+        assert_eq!(topology.components().1, self.topology.components().1);
+        assert_eq!(topology.border_loops().len(), self.topology.border_loops().len());
+        base.region.check(&topology, &self.network).unwrap();
+        assert_simplicial(&base.mesh);
+        let kept: f64 = base.region.spans.values().map(|s| (s.to - s.from).abs()).sum();
+        assert!((kept - self.network.total_length()).abs() < 1e-9 * kept.max(1.0), "every arc lies on base edges");
+        self.check_round_trip(base);
+    }
+
+    fn check_round_trip(&self, base: &BaseMesh) {
+        let present: IdVec<region_map::MapFaceId, FaceId> = {
+            let most = base.map_faces.iter().map(|m| m.index()).max().unwrap_or(0);
+            let mut of = IdVec::filled(FaceId(u32::MAX), most + 1);
+            base.map_faces.enumerate().for_each(|(f, &m)| of[m] = f);
+            of
+        };
+        for point in self.points(200) {
+            let (face, weights) = base.map.find(point).unwrap();
+            assert_ne!(present[face], FaceId(u32::MAX), "find ends in a face that is present");
+            let back = base.map.locate(face, weights).position(&self.mesh);
+            let error = back.distance(point.position(&self.mesh)) / self.mesh.diagonal();
+            assert!(error <= 1e-9, "round trip is off by {error:e} of the diagonal");
+        }
+    }
+}
+
+fn assert_simplicial(mesh: &TriMesh) {
+    let mut triangles: Vec<_> = mesh
+        .faces()
+        .iter()
+        .map(|f| {
+            let mut f = *f;
+            f.sort_unstable();
+            f
+        })
+        .collect();
+    triangles.sort_unstable();
+    assert!(triangles.windows(2).all(|w| w[0] != w[1]), "no triangle repeats");
+}

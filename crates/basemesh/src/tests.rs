@@ -1,0 +1,67 @@
+//! Tests of the stage on shapes with known patches.
+
+use crate::editor::Editor;
+use crate::shapes::Shape;
+use proptest::prelude::*;
+use region_map::BaseMesh;
+
+#[test]
+fn the_triangulated_sites_are_a_base_mesh() {
+    for shape in [Shape::cube(), Shape::box_of_twelve(), Shape::cylinder(), Shape::sphere(), Shape::torus()] {
+        for n in [4, 30, 120] {
+            shape.check(&shape.base(n, 0));
+        }
+    }
+}
+
+#[test]
+fn improvement_keeps_all_promises() {
+    for shape in [Shape::cube(), Shape::cylinder(), Shape::sphere(), Shape::torus()] {
+        shape.check(&shape.base(80, 10));
+    }
+}
+
+#[test]
+fn a_box_of_twelve_triangles_needs_eight_vertices() {
+    let shape = Shape::box_of_twelve();
+    let base = shape.base(4, 0);
+    assert_eq!((base.mesh.n_vertices(), base.mesh.n_faces()), (8, 12));
+}
+
+/// Makes edits that bytes choose: which edge, and what to do with it.
+fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usize) {
+    let mut editor = Editor::new(&shape.mesh, &shape.topology, &shape.network, base).unwrap();
+    let mut done = 0;
+    for &(edge, what) in choices {
+        let edges = editor.edges();
+        let [a, b] = edges[edge as usize % edges.len()];
+        done += usize::from(match what % 5 {
+            0 => editor.flip(a, b),
+            1 => editor.split(a, b).is_some(),
+            2 => editor.collapse(a, b),
+            3 => editor.collapse(b, a),
+            _ => editor.relax_vertex(a, |_| 1.0),
+        });
+        assert_eq!(editor.n_vertices(), editor.vertices().len());
+    }
+    (editor.finish().unwrap(), done)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn random_edits_keep_the_round_trip(which in 0..4usize, choices in prop::collection::vec((any::<u16>(), any::<u8>()), 1..60)) {
+        let shape = [Shape::cube, Shape::cylinder, Shape::sphere, Shape::torus][which]();
+        let (base, _) = edit(&shape, shape.base(40, 0), &choices);
+        shape.check(&base);
+    }
+}
+
+#[test]
+fn most_edits_of_a_sphere_are_possible() {
+    let shape = Shape::sphere();
+    let choices: Vec<(u16, u8)> = (0..100u16).map(|i| (i.wrapping_mul(7919), i as u8)).collect();
+    let (base, done) = edit(&shape, shape.base(60, 0), &choices);
+    assert!(done > 60, "only {done} of 100 edits were made");
+    shape.check(&base);
+}

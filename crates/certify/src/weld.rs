@@ -1,0 +1,56 @@
+//! Exact weld: vertices at one position become one.
+
+use glam::DVec3;
+use mesh_core::{IdVec, TriMesh, VertexId};
+use rustc_hash::FxHashMap;
+
+/// For every vertex the first one at its position.
+pub(crate) fn first_at_position(mesh: &TriMesh) -> IdVec<VertexId, VertexId> {
+    let mut at: FxHashMap<[u64; 3], VertexId> = FxHashMap::default();
+    mesh.positions().enumerate().map(|(v, &p)| *at.entry(bits(p)).or_insert(v)).collect()
+}
+
+/// The mesh with vertices at the same position made one, faces that lose a corner by it dropped, and only vertices that faces
+/// use, in the order of their first use.
+///
+/// Connectivity by position is what another program sees in a file, whatever the indices say.
+pub fn weld(mesh: &TriMesh) -> TriMesh {
+    let first = first_at_position(mesh);
+    let mut new_index = IdVec::<VertexId, Option<u32>>::filled(None, mesh.n_vertices());
+    let mut positions = Vec::new();
+    let mut faces = Vec::with_capacity(mesh.n_faces());
+    for f in mesh.faces() {
+        let [a, b, c] = f.map(|v| first[v]);
+        if a == b || b == c || c == a {
+            continue;
+        }
+        faces.push([a, b, c].map(|v| {
+            *new_index[v].get_or_insert_with(|| {
+                positions.push(mesh.position(v));
+                positions.len() as u32 - 1
+            })
+        }));
+    }
+    TriMesh::new(positions, faces).expect("corners are distinct and positions are those of a checked mesh")
+}
+
+/// The bits of a position, with -0 as 0.
+fn bits(p: DVec3) -> [u64; 3] {
+    (p + DVec3::ZERO).to_array().map(f64::to_bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_sheets_of_one_square_are_joined() {
+        let p = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let unused = p(9.0, 9.0);
+        let positions = vec![unused, p(0.0, 0.0), p(1.0, 0.0), p(0.0, 1.0), p(1.0, 0.0), p(1.0, 1.0), p(-0.0, 1.0)];
+        let mesh = TriMesh::new(positions, vec![[1, 2, 3], [4, 5, 6], [2, 4, 5]]).unwrap();
+        let welded = weld(&mesh);
+        assert_eq!((welded.n_vertices(), welded.n_faces()), (4, 2));
+        assert_eq!(welded.to_soup().triangles, [[0, 1, 2], [1, 3, 2]]);
+    }
+}

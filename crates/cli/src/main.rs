@@ -1,0 +1,3 @@
+//! The `semireg` command line.
+
+fn main() {}

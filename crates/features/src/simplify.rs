@@ -1,0 +1,212 @@
+//! The network at the resolution of the base mesh: what is too small or too weak to be worth base vertices is dropped.
+//!
+//! A scan has creases that are strips of sharp triangles, with spurs on both sides and crumbs beside them. A base vertex at each
+//! of their junctions would use up the base mesh before its first smooth patch.
+
+use crate::crease::Creases;
+use crate::strands::{Strand, Strands};
+use mesh_core::{EdgeId, FaceId, IdVec, Topology, TriMesh, VertexId};
+use region_map::{Arc, ArcId, ArcKind, CornerId, Network, SheetId};
+use std::cmp::Reverse;
+use std::collections::{BTreeSet, BinaryHeap};
+
+/// Sheets with less area than this, in squared base edge lengths, are dissolved: a quarter of a base triangle.
+const TINY_SHEET: f64 = 0.1;
+/// Spurs with less persistence than this, in base edge lengths, are dropped.
+const SPUR: f64 = 0.7;
+/// Connected parts of the network with less persistence than this, in base edge lengths, are dropped.
+const ISLAND: f64 = 1.5;
+/// A crease that stands out from its surroundings by this angle (degrees) or more has its length as persistence.
+const FULL_CONTRAST: f64 = 60.0;
+
+type Kinds = IdVec<EdgeId, Option<ArcKind>>;
+
+/// Drops creases from `kinds` and returns them as chains of vertices. Borders and marked edges stay.
+pub(crate) fn simplify(
+    mesh: &TriMesh,
+    topology: &Topology,
+    creases: &Creases,
+    kinds: &mut Kinds,
+    base_edge_length: f64,
+) -> Vec<Vec<VertexId>> {
+    if base_edge_length <= 0.0 {
+        return Vec::new();
+    }
+    let network = Network::trace(mesh, topology, kinds, |_| false, Vec::new());
+    let persistence = persistence(mesh, topology, creases, &network, base_edge_length);
+    let mut strands = Strands::new(&network, &persistence);
+    dissolve_tiny_sheets(mesh, topology, &network, &mut strands, TINY_SHEET * base_edge_length.powi(2));
+    drop_weak_spurs(&mut strands);
+    drop_weak_islands(&mut strands, network.corners.len());
+    take_dropped(mesh, topology, &network, &strands, kinds)
+}
+
+/// Length times contrast of every arc, in base edge lengths. The contrast of an edge is how much its angle stands out from
+/// those of the other edges of its two faces: a crease of a CAD model does, scan noise does not.
+fn persistence(
+    mesh: &TriMesh,
+    topology: &Topology,
+    creases: &Creases,
+    network: &Network,
+    base_edge_length: f64,
+) -> IdVec<ArcId, f64> {
+    let smooth_edges =
+        |f: FaceId| topology.halfedges(f).map(|h| topology.edge(h)).into_iter().filter(|&e| !network.is_barrier(e));
+    let contrast = |e: EdgeId| {
+        let (f, g) = topology.edge_faces(e);
+        let (n, sum) = smooth_edges(f)
+            .chain(g.into_iter().flat_map(smooth_edges))
+            .fold((0, 0.0), |(n, sum), e| (n + 1, sum + creases.angle[e]));
+        ((creases.angle[e] - sum / f64::from(n.max(1))) / FULL_CONTRAST).clamp(0.0, 1.0)
+    };
+    let of_edge = |e: EdgeId| {
+        let [a, b] = topology.ends(e);
+        mesh.distance(a, b) * contrast(e)
+    };
+    let of_arc = |arc: &Arc| arc.halfedges.iter().map(|&h| of_edge(topology.edge(h))).sum::<f64>() / base_edge_length;
+    network.arcs.iter().map(of_arc).collect()
+}
+
+/// Merges every sheet of less area than `limit` with its neighbour across the strand that stands out least, the smallest first.
+fn dissolve_tiny_sheets(mesh: &TriMesh, topology: &Topology, network: &Network, strands: &mut Strands, limit: f64) {
+    let mut sheets = Sheets::new(mesh, topology, network);
+    let key = |area: f64, sheet: SheetId| Reverse((area.to_bits(), sheet)); // areas are not negative: their bits are in order
+    let mut queue: BinaryHeap<_> = sheets.area.enumerate().filter(|&(_, &a)| a < limit).map(|(s, &a)| key(a, s)).collect();
+    while let Some(Reverse((bits, sheet))) = queue.pop() {
+        if sheets.root(sheet) != sheet || sheets.area[sheet].to_bits() != bits {
+            continue; // it has been merged since
+        }
+        let Some(weakest) = sheets.weakest_side(sheet, strands) else { continue };
+        let merged = sheets.merge_across(weakest);
+        strands.drop_strand(weakest);
+        if sheets.area[merged] < limit {
+            queue.push(key(sheets.area[merged], merged));
+        }
+    }
+}
+
+/// Sheets that grow together.
+struct Sheets {
+    /// Area of every sheet that is not part of another one.
+    area: IdVec<SheetId, f64>,
+    parent: IdVec<SheetId, SheetId>,
+    /// Creases on the border of a sheet, dropped ones and inner ones included.
+    arcs: IdVec<SheetId, Vec<ArcId>>,
+    beside: IdVec<ArcId, [SheetId; 2]>,
+}
+
+impl Sheets {
+    fn new(mesh: &TriMesh, topology: &Topology, network: &Network) -> Self {
+        let mut area = IdVec::filled(0.0, network.n_sheets);
+        for (f, &sheet) in network.sheet_of_face.enumerate() {
+            area[sheet] += mesh.area(f);
+        }
+        let beside: IdVec<ArcId, _> = network
+            .arcs
+            .iter()
+            .map(|arc| {
+                let h = arc.halfedges[0];
+                [h, topology.twin(h).unwrap_or(h)].map(|h| network.sheet_of_face[h.face()])
+            })
+            .collect();
+        let mut arcs = IdVec::filled(Vec::new(), network.n_sheets);
+        for (id, sides) in beside.enumerate() {
+            sides.iter().for_each(|&s| arcs[s].push(id));
+        }
+        Self { parent: area.ids().collect(), area, arcs, beside }
+    }
+
+    fn root(&self, mut sheet: SheetId) -> SheetId {
+        while self.parent[sheet] != sheet {
+            sheet = self.parent[sheet];
+        }
+        sheet
+    }
+
+    /// The crease between this sheet and another one that stands out least.
+    fn weakest_side(&self, sheet: SheetId, strands: &Strands) -> Option<ArcId> {
+        let is_side = |id: ArcId| {
+            let [a, b] = self.beside[id].map(|s| self.root(s));
+            a != b
+        };
+        let sides = self.arcs[sheet].iter().filter_map(|&arc| strands.of_arc(arc));
+        let sides = sides.filter(|&(id, s)| s.kind == ArcKind::Sharp && is_side(id));
+        sides.min_by(|(i, s), (j, t)| s.strength().total_cmp(&t.strength()).then(i.cmp(j))).map(|(id, _)| id)
+    }
+
+    /// Makes one sheet of the two beside an arc: the one with more arcs takes the other.
+    fn merge_across(&mut self, arc: ArcId) -> SheetId {
+        let [a, b] = self.beside[arc].map(|s| self.root(s));
+        let (keep, gone) = if self.arcs[a].len() >= self.arcs[b].len() { (a, b) } else { (b, a) };
+        self.parent[gone] = keep;
+        self.area[keep] += self.area[gone];
+        let taken = std::mem::take(&mut self.arcs[gone]);
+        self.arcs[keep].extend(taken);
+        keep
+    }
+}
+
+/// Drops creases with a loose end and little persistence, the weakest first. What a spur leaves behind may be a spur itself.
+fn drop_weak_spurs(strands: &mut Strands) {
+    let key = |id: ArcId, s: &Strand| (s.persistence.to_bits(), id); // not negative: the bits are in order
+    let mut spurs: BTreeSet<_> = strands.iter().filter(|(_, s)| is_weak_spur(strands, s)).map(|(id, s)| key(id, s)).collect();
+    while let Some((bits, id)) = spurs.pop_first() {
+        let is_current = |s: &Strand| s.persistence.to_bits() == bits && is_weak_spur(strands, s);
+        if !strands.of_arc(id).is_some_and(|(strand, s)| strand == id && is_current(s)) {
+            continue; // it has become part of a longer one
+        }
+        for joined in strands.drop_strand(id) {
+            if let Some((id, s)) = strands.of_arc(joined).filter(|(_, s)| is_weak_spur(strands, s)) {
+                spurs.insert(key(id, s));
+            }
+        }
+    }
+}
+
+/// True for a weak crease that ends loosely at one end, and not at the other one.
+fn is_weak_spur(strands: &Strands, strand: &Strand) -> bool {
+    let loose_ends = strand.ends.into_iter().flatten().filter(|&c| strands.degree(c) == 1).count();
+    strand.kind == ArcKind::Sharp && loose_ends == 1 && strand.persistence < SPUR
+}
+
+/// Drops connected parts of the network that have only creases and together little persistence.
+fn drop_weak_islands(strands: &mut Strands, n_corners: usize) {
+    let mut parent: IdVec<CornerId, CornerId> = (0..n_corners as u32).map(CornerId).collect();
+    let root = |parent: &IdVec<CornerId, CornerId>, mut c: CornerId| {
+        while parent[c] != c {
+            c = parent[c];
+        }
+        c
+    };
+    for [a, b] in strands.iter().filter_map(|(_, s)| s.ends) {
+        let (a, b) = (root(&parent, a), root(&parent, b));
+        parent[a.max(b)] = a.min(b);
+    }
+    let worth = |s: &Strand| if s.kind == ArcKind::Sharp { s.persistence } else { f64::INFINITY };
+    let mut total = IdVec::<CornerId, f64>::filled(0.0, n_corners);
+    for (s, [end, _]) in strands.iter().filter_map(|(_, s)| s.ends.map(|e| (s, e))) {
+        total[root(&parent, end)] += worth(s);
+    }
+    let is_weak = |s: &Strand| s.ends.map_or(worth(s), |[end, _]| total[root(&parent, end)]) < ISLAND;
+    let weak: Vec<ArcId> = strands.iter().filter(|(_, s)| is_weak(s)).map(|(id, _)| id).collect();
+    weak.into_iter().for_each(|id| {
+        strands.drop_strand(id);
+    });
+}
+
+/// Takes the dropped arcs out of `kinds`, and returns them as chains.
+fn take_dropped(
+    mesh: &TriMesh,
+    topology: &Topology,
+    network: &Network,
+    strands: &Strands,
+    kinds: &mut Kinds,
+) -> Vec<Vec<VertexId>> {
+    let mut dropped = IdVec::filled(None, topology.n_edges());
+    for (_, arc) in network.arcs.enumerate().filter(|&(id, _)| strands.of_arc(id).is_none()) {
+        for e in arc.halfedges.iter().map(|&h| topology.edge(h)) {
+            dropped[e] = kinds[e].take();
+        }
+    }
+    Network::trace(mesh, topology, &dropped, |_| false, Vec::new()).arcs.iter().map(|arc| arc.vertices.clone()).collect()
+}

@@ -1,0 +1,374 @@
+//! Straight walks over faces.
+//!
+//! A walk is a geodesic traced on the unfolded faces (Polthier and Schmies, *Straightest Geodesics on Polyhedral Surfaces*,
+//! 1998): only lengths inside faces are used, so turning about an edge is a change of frame and no angle is ever computed but
+//! at vertices. Every face is laid out in the plane with the halfedge in hand along the x axis and the face above it.
+
+use crate::{EdgeId, FaceId, HalfedgeId, SurfacePoint, Topology, TriMesh};
+use glam::{DVec2, DVec3};
+use std::f64::consts::{PI, TAU};
+
+/// Faces are laid out with at least this height, as a share of their longest edge, so that ones without area can be crossed
+/// like all others (as in Sharp and Crane, *A Laplacian for Nonmanifold Triangle Meshes*, 2020, 4.5).
+const LEAST_HEIGHT: f64 = 1e-12;
+/// A point this close to an edge or a vertex, as a share of the edges' lengths, is taken to be on it. Above [`LEAST_HEIGHT`], so
+/// that every point of a face without area is on an edge.
+const TOUCH: f64 = 1e-11;
+/// Edges shorter than this are laid out with this length, so that areas of faces that are one point do not underflow.
+const LEAST_LENGTH: f64 = 1e-100;
+/// A walk that only slides at less than this share of its speed stops: cosine of the angle to the barrier.
+const LEAST_SLIDE: f64 = 1e-9;
+/// A start on an edge leaves its own face at once for one whose plane keeps this share of the way: between the two sides of an
+/// edge sharper than 60 degrees the way is turned instead, as it is anywhere else.
+const LEAST_INWARD: f64 = 0.5;
+/// Turning around a vertex stops after this many rounds: less than 360 / 16 degrees of surface are a spike.
+const MOST_ROUNDS: usize = 16;
+
+/// Where a walk ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Walked {
+    /// The end, in a face that is connected with the start's across edges that may be crossed.
+    pub end: SurfacePoint,
+    /// Unit direction of travel at the end, in the plane of the end's face; 0 where the walk came to rest at a barrier or did
+    /// not move.
+    pub direction: DVec3,
+    /// True when a border or an edge that may not be crossed took something of the way, or the cap on steps did.
+    pub stopped: bool,
+}
+
+/// Walks straight on from `start`: along `displacement` projected into the plane of the start's face, as far as the projection
+/// is long. A start on an edge or at a vertex belongs to all faces around it that can be reached across edges that may be
+/// crossed; the one in which the inward displacement is longest is taken, if there is one that it does not stand on.
+///
+/// At an edge that may not be crossed (a border edge never may) the walk goes on along it with the component that it has in this
+/// direction. `may_cross` is asked for inner edges only.
+pub fn walk(
+    mesh: &TriMesh,
+    topology: &Topology,
+    start: SurfacePoint,
+    displacement: DVec3,
+    may_cross: impl Fn(EdgeId) -> bool,
+) -> Walked {
+    let surface = Surface { mesh, topology, may_cross };
+    let mut walker = surface.set_off(start, displacement);
+    let mut stopped = false;
+    for _ in 0..64 + 4 * topology.n_faces() {
+        match surface.step(&walker) {
+            Step::Arrived(end) => return surface.finish(end, stopped),
+            Step::On(next) => walker = next,
+            Step::Slid(next) => (walker, stopped) = (next, true),
+        }
+    }
+    surface.finish(walker, true)
+}
+
+/// A point in the face of `halfedge`, with weights that start at the halfedge's corner, and the way still to go, in the layout
+/// with the halfedge along x.
+#[derive(Clone, Copy)]
+struct Walker {
+    halfedge: HalfedgeId,
+    weights: [f64; 3],
+    way: DVec2,
+}
+
+enum Step {
+    /// All the way is gone.
+    Arrived(Walker),
+    /// Into a neighbouring face.
+    On(Walker),
+    /// Along a barrier.
+    Slid(Walker),
+}
+
+struct Surface<'a, F> {
+    mesh: &'a TriMesh,
+    topology: &'a Topology,
+    may_cross: F,
+}
+
+impl<F: Fn(EdgeId) -> bool> Surface<'_, F> {
+    fn layout(&self, h: HalfedgeId) -> Layout {
+        Layout::new(self.corners(h))
+    }
+
+    fn corners(&self, h: HalfedgeId) -> [DVec3; 3] {
+        [self.topology.from(h), self.topology.to(h), self.topology.opposite(h)].map(|v| self.mesh.position(v))
+    }
+
+    /// The halfedge across, when there is one and it may be crossed.
+    fn across(&self, h: HalfedgeId) -> Option<HalfedgeId> {
+        self.topology.twin(h).filter(|_| (self.may_cross)(self.topology.edge(h)))
+    }
+
+    /// Walks to the border of the face, or to the end.
+    fn step(&self, walker: &Walker) -> Step {
+        let Walker { halfedge, weights, way } = *walker;
+        let layout = self.layout(halfedge);
+        let Some((side, share)) = layout.exit(weights, way) else {
+            let weights = layout.moved(weights, way);
+            return Step::Arrived(Walker { weights, ..*walker });
+        };
+        let along = layout.along(side, layout.point(weights) + share * way);
+        let rest = (1.0 - share) * layout.in_frame_of(side, way);
+        let edge = turned(halfedge, side);
+        if along <= TOUCH {
+            return self.round_vertex(edge, rest);
+        }
+        if along >= 1.0 - TOUCH {
+            let rest = (1.0 - share) * layout.in_frame_of((side + 1) % 3, way);
+            return self.round_vertex(edge.next(), rest);
+        }
+        match self.across(edge) {
+            Some(twin) => Step::On(Walker { halfedge: twin, weights: [along, 1.0 - along, 0.0], way: -rest }),
+            None => {
+                let weights = [1.0 - along, along, 0.0];
+                Step::Slid(Walker { halfedge: edge, weights, way: DVec2::new(rest.x, 0.0) })
+            }
+        }
+    }
+
+    /// Goes on from the vertex that `h` starts at. `way` is in the frame of `h` and may point anywhere.
+    fn round_vertex(&self, h: HalfedgeId, way: DVec2) -> Step {
+        let length = way.length();
+        let left = way.y.atan2(way.x).rem_euclid(TAU);
+        let sweeps = if left <= PI { [(true, left), (false, TAU - left)] } else { [(false, TAU - left), (true, left)] };
+        let mut best = (LEAST_SLIDE, Walker { halfedge: h, weights: [1.0, 0.0, 0.0], way: DVec2::ZERO });
+        for (counter_clockwise, angle) in sweeps {
+            let swept = if counter_clockwise { self.sweep_left(h, angle) } else { self.sweep_right(h, angle) };
+            let (halfedge, rest) = match swept {
+                Sweep::Inside(halfedge, angle) => {
+                    let way = length * DVec2::from_angle(angle);
+                    return Step::On(Walker { halfedge, weights: [1.0, 0.0, 0.0], way });
+                }
+                Sweep::Blocked(halfedge, rest) => (halfedge, rest),
+            };
+            if rest.cos() > best.0 {
+                let (weights, sign) = if counter_clockwise { ([0.0, 1.0, 0.0], -1.0) } else { ([1.0, 0.0, 0.0], 1.0) };
+                let way = DVec2::new(sign * rest.cos() * length, 0.0);
+                best = (rest.cos(), Walker { halfedge, weights, way });
+            }
+        }
+        Step::Slid(best.1)
+    }
+
+    /// Turns counter-clockwise about the start of `h` by `angle`.
+    fn sweep_left(&self, h: HalfedgeId, mut angle: f64) -> Sweep {
+        let (mut at, mut rounds) = (h, 0);
+        loop {
+            let corner = self.layout(at).angle();
+            if angle <= corner {
+                return Sweep::Inside(at, angle);
+            }
+            angle -= corner;
+            match self.across(at.prev()) {
+                Some(next) if rounds < MOST_ROUNDS => at = next,
+                _ => return Sweep::Blocked(at.prev(), angle),
+            }
+            rounds += usize::from(at == h);
+        }
+    }
+
+    /// Turns clockwise about the start of `h` by `angle`.
+    fn sweep_right(&self, h: HalfedgeId, mut angle: f64) -> Sweep {
+        let (mut at, mut rounds) = (h, 0);
+        loop {
+            match self.across(at) {
+                Some(twin) if rounds < MOST_ROUNDS => at = twin.next(),
+                _ => return Sweep::Blocked(at, angle),
+            }
+            let corner = self.layout(at).angle();
+            if angle <= corner {
+                return Sweep::Inside(at, corner - angle);
+            }
+            angle -= corner;
+            rounds += usize::from(at == h);
+        }
+    }
+
+    /// The first walker: in the face around the start in which the inward displacement is longest, or else in the start's own
+    /// face, with a way that leads out of it and will be turned over an edge.
+    fn set_off(&self, start: SurfacePoint, displacement: DVec3) -> Walker {
+        let displacement = if displacement.is_finite() { displacement } else { DVec3::ZERO };
+        let first = HalfedgeId::of(start.face, 0);
+        let weights = SurfacePoint::new(start.face, start.barycentric).barycentric.to_array();
+        let own = self.heading(first, weights, displacement);
+        let mut best: Option<Walker> = None;
+        let mut consider = |walker: Walker| {
+            let longer = best.is_none_or(|b| walker.way.length_squared() > b.way.length_squared());
+            if longer && self.layout(walker.halfedge).leads_in(walker.weights, walker.way) {
+                best = Some(walker);
+            }
+        };
+        consider(own);
+        let layout = self.layout(first);
+        if let Some(corner) = (0..3).find(|&c| weights[c] >= 1.0 - TOUCH) {
+            self.around(turned(first, corner), |h| consider(self.heading(h, [1.0, 0.0, 0.0], displacement)));
+        } else if let Some(side) = (0..3).find(|&side| layout.touches(side, weights))
+            && let Some(twin) = self.across(turned(first, side))
+        {
+            let along = layout.along(side, layout.point(weights));
+            consider(self.heading(twin, [along, 1.0 - along, 0.0], displacement));
+        }
+        best.filter(|b| b.way.length() >= LEAST_INWARD * own.way.length()).unwrap_or(own)
+    }
+
+    /// Visits the halfedges that start at the same vertex as `h` and can be reached from it: to the left, then to the right.
+    fn around(&self, h: HalfedgeId, mut visit: impl FnMut(HalfedgeId)) {
+        let mut at = h;
+        visit(at);
+        while let Some(next) = self.across(at.prev()) {
+            if next == h {
+                return;
+            }
+            at = next;
+            visit(at);
+        }
+        at = h;
+        while let Some(twin) = self.across(at) {
+            at = twin.next();
+            visit(at);
+        }
+    }
+
+    fn heading(&self, halfedge: HalfedgeId, weights: [f64; 3], displacement: DVec3) -> Walker {
+        let [x, y] = axes(self.corners(halfedge));
+        Walker { halfedge, weights, way: DVec2::new(displacement.dot(x), displacement.dot(y)) }
+    }
+
+    fn finish(&self, walker: Walker, stopped: bool) -> Walked {
+        let [a, b, c] = walker.weights;
+        let face: FaceId = walker.halfedge.face();
+        let barycentric = match walker.halfedge.corner() {
+            0 => DVec3::new(a, b, c),
+            1 => DVec3::new(c, a, b),
+            _ => DVec3::new(b, c, a),
+        };
+        let [x, y] = axes(self.corners(walker.halfedge));
+        let direction = (walker.way.x * x + walker.way.y * y).normalize_or_zero();
+        Walked { end: SurfacePoint::new(face, barycentric), direction, stopped }
+    }
+}
+
+enum Sweep {
+    /// The way leads into the face of this halfedge, at this angle from it.
+    Inside(HalfedgeId, f64),
+    /// This halfedge may not be crossed, and so much of the angle is left.
+    Blocked(HalfedgeId, f64),
+}
+
+/// The halfedge `side` steps after `h` in its face.
+fn turned(h: HalfedgeId, side: usize) -> HalfedgeId {
+    HalfedgeId::of(h.face(), (h.corner() + side) % 3)
+}
+
+/// Unit vectors along the first edge of a triangle and, in its plane, to its third corner; any normal pair where it has none.
+fn axes([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
+    let up = |x: DVec3| (c - a).reject_from_normalized(x).try_normalize();
+    match (b - a).try_normalize() {
+        Some(x) => [x, up(x).unwrap_or_else(|| x.any_orthonormal_vector())],
+        None => {
+            let y = (c - a).try_normalize().unwrap_or(DVec3::Y);
+            [y.any_orthonormal_vector(), y]
+        }
+    }
+}
+
+/// A triangle in the plane: (0, 0), (`length`, 0), `apex`, with `length` and `apex.y` positive.
+struct Layout {
+    length: f64,
+    apex: DVec2,
+}
+
+impl Layout {
+    fn new([a, b, c]: [DVec3; 3]) -> Self {
+        let (ab, ac) = (b - a, c - a);
+        let length = ab.length();
+        let longest = length.max(ac.length()).max(c.distance(b)).max(LEAST_LENGTH);
+        let least = LEAST_HEIGHT * longest;
+        if length <= least {
+            return Self { length: least, apex: DVec2::new(0.0, longest) };
+        }
+        Self { length, apex: DVec2::new(ab.dot(ac) / length, (ab.cross(ac).length() / length).max(least)) }
+    }
+
+    /// Corner at the start of side `side`.
+    fn corner(&self, side: usize) -> DVec2 {
+        match side {
+            0 => DVec2::ZERO,
+            1 => DVec2::new(self.length, 0.0),
+            _ => self.apex,
+        }
+    }
+
+    fn side(&self, side: usize) -> DVec2 {
+        self.corner((side + 1) % 3) - self.corner(side)
+    }
+
+    fn point(&self, weights: [f64; 3]) -> DVec2 {
+        weights[1] * self.corner(1) + weights[2] * self.apex
+    }
+
+    fn double_area(&self) -> f64 {
+        self.length * self.apex.y
+    }
+
+    /// Speed of a way over each side: negative when it leads out there. Exactly 0 over the first side for a way along it.
+    fn inward(&self, way: DVec2) -> [f64; 3] {
+        [self.length * way.y, self.side(1).perp_dot(way), self.side(2).perp_dot(way)]
+    }
+
+    /// The side by which a way leaves the triangle, and after which share of it; `None` when it ends inside.
+    fn exit(&self, weights: [f64; 3], way: DVec2) -> Option<(usize, f64)> {
+        let inward = self.inward(way);
+        let mut first = None;
+        for side in 0..3 {
+            if inward[side] < 0.0 {
+                let share = weights[(side + 2) % 3] * self.double_area() / -inward[side];
+                if first.map_or(share < 1.0, |(_, least)| share < least) {
+                    first = Some((side, share));
+                }
+            }
+        }
+        first
+    }
+
+    fn moved(&self, weights: [f64; 3], way: DVec2) -> [f64; 3] {
+        let inward = self.inward(way);
+        [0, 1, 2].map(|c| (weights[c] + inward[(c + 1) % 3] / self.double_area()).max(0.0))
+    }
+
+    /// Where on a side a point next to it lies: 0 at its start, 1 at its end.
+    fn along(&self, side: usize, point: DVec2) -> f64 {
+        let edge = self.side(side);
+        ((point - self.corner(side)).dot(edge) / edge.length_squared()).clamp(0.0, 1.0)
+    }
+
+    /// A vector in the frame that has a side along x.
+    fn in_frame_of(&self, side: usize, way: DVec2) -> DVec2 {
+        let edge = self.side(side);
+        DVec2::new(edge.dot(way), self.inward(way)[side]) / edge.length()
+    }
+
+    /// Angle at the first corner.
+    fn angle(&self) -> f64 {
+        self.apex.y.atan2(self.apex.x)
+    }
+
+    /// True when a point is on a side.
+    fn touches(&self, side: usize, weights: [f64; 3]) -> bool {
+        let size = self.length * self.length + self.side(1).length_squared() + self.side(2).length_squared();
+        if weights[(side + 2) % 3] * self.double_area() > TOUCH * size {
+            return false;
+        }
+        // Beside the side, in a face without area: on its line, but not between its ends.
+        let point = self.point(weights);
+        let foot = self.corner(side) + self.along(side, point) * self.side(side);
+        foot.distance_squared(point) <= TOUCH * TOUCH * size
+    }
+
+    /// True when a way from a point does not leave by a side that the point is on.
+    fn leads_in(&self, weights: [f64; 3], way: DVec2) -> bool {
+        let inward = self.inward(way);
+        way != DVec2::ZERO && (0..3).all(|side| inward[side] >= 0.0 || !self.touches(side, weights))
+    }
+}

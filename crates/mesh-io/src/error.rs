@@ -1,0 +1,118 @@
+//! What can go wrong with a file.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a file was not read.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// The extension is not that of a format we know.
+    #[error("{}: the extension names no mesh format; use obj, ply, stl, off, gltf or glb", path.display())]
+    UnknownFormat {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file could not be read at all.
+    #[error("cannot read {}: {source}; check the path and its permissions", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The contents break the rules of the format.
+    #[error("{}{}: {what}; {remedy}", path.display(), line.map(|l| format!(":{l}")).unwrap_or_default())]
+    Malformed {
+        /// The file; `<bytes>` when the contents were given by themselves.
+        path: PathBuf,
+        /// The line, counted from 1, in text formats.
+        line: Option<usize>,
+        /// What is wrong.
+        what: String,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// The contents are right but use a part of the format that we do not read.
+    #[error("{}: {what}; {remedy}", path.display())]
+    Unsupported {
+        /// The file; `<bytes>` when the contents were given by themselves.
+        path: PathBuf,
+        /// What is not supported.
+        what: String,
+        /// What to do.
+        remedy: &'static str,
+    },
+}
+
+/// Why a mesh was not written. The target is as it was before.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// The extension is not that of a format we know.
+    #[error("{}: the extension names no mesh format; use obj, ply, stl, off, gltf or glb", path.display())]
+    UnknownFormat {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file could not be written.
+    #[error("cannot write {}: {source}; check that its directory exists and can be written to", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A coordinate is too large for a format that stores f32.
+    #[error("vertex {vertex} is too large for single precision; write obj, ply or off instead")]
+    NotSinglePrecision {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// The mesh needs more than the 4 GB that the format can hold.
+    #[error("the mesh is too large for {format}; write obj, ply or off instead")]
+    TooLarge {
+        /// The format.
+        format: &'static str,
+    },
+    /// Not one colour for each face.
+    #[error("{colors} colours for {faces} faces; give one for each face")]
+    ColorCount {
+        /// Number of colours given.
+        colors: usize,
+        /// Number of faces.
+        faces: usize,
+    },
+}
+
+const EXPORT_AGAIN: &str = "correct it or export the file again";
+
+/// What a reader of one format found wrong; it becomes a [`ReadError`] where the path is known.
+#[derive(Debug)]
+pub(crate) enum Fault {
+    Malformed { line: Option<usize>, what: String },
+    Unsupported { what: String, remedy: &'static str },
+    Io { path: PathBuf, source: io::Error },
+}
+
+impl Fault {
+    /// A fault in a line of text, counted from 1.
+    pub(crate) fn line(line: usize, what: impl Into<String>) -> Self {
+        Self::Malformed { line: Some(line), what: what.into() }
+    }
+    /// A fault in binary data, or of the file as a whole.
+    pub(crate) fn data(what: impl Into<String>) -> Self {
+        Self::Malformed { line: None, what: what.into() }
+    }
+    /// Something that we do not read.
+    pub(crate) fn unsupported(what: impl Into<String>, remedy: &'static str) -> Self {
+        Self::Unsupported { what: what.into(), remedy }
+    }
+    /// The error of the file at `path`.
+    pub(crate) fn at(self, path: &Path) -> ReadError {
+        let path = path.to_owned();
+        match self {
+            Self::Malformed { line, what } => ReadError::Malformed { path, line, what, remedy: EXPORT_AGAIN },
+            Self::Unsupported { what, remedy } => ReadError::Unsupported { path, what, remedy },
+            Self::Io { path, source } => ReadError::Io { path, source },
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Stanford ply, as text and as binary of both byte orders.
+//!
+//! Our own reader: the text grammar of the package ply-rs-bw (4.0.1) knows no `nan`, `inf`, `.5` or `5.`, it loses an element
+//! whose name comes twice, and it keeps every element of the file in memory.
+
+mod header;
+mod values;
+
+use crate::document::{Builder, Document, saturating_index, strip_triangles};
+use crate::error::Fault;
+use glam::DVec3;
+use header::{Element, Encoding, Header, Kind};
+use mesh_core::TriMesh;
+use values::Values;
+
+/// Reads a ply file: positions from the element `vertex`, polygons from `face`, triangle strips from `tristrips`.
+/// Other elements and properties are skipped.
+pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
+    let header = Header::parse(bytes)?;
+    let body = &bytes[header.length..];
+    match header.encoding {
+        Encoding::Text => elements(&header, &mut Values::text(&crate::text::decode(body), header.lines + 1)),
+        encoding => elements(&header, &mut Values::binary(body, encoding)),
+    }
+}
+
+fn elements(header: &Header, values: &mut Values) -> Result<Document, Fault> {
+    let mut builder = Builder::default();
+    for element in &header.elements {
+        match element.name.as_str() {
+            "vertex" => vertices(element, values, &mut builder)?,
+            "face" => faces(element, values, &mut builder)?,
+            "tristrips" => strips(element, values, &mut builder)?,
+            _ => rows(element, values, |_, _| Ok(()))?,
+        }
+    }
+    builder.finish()
+}
+
+/// One row of an element: its scalars in order (0 for a list) and the list of vertex indices.
+struct Row {
+    scalars: Vec<f64>,
+    list: Vec<i64>,
+}
+
+/// Reads an element row by row. An element without properties takes no room, whatever its count says.
+fn rows(
+    element: &Element,
+    values: &mut Values,
+    mut each: impl FnMut(&mut Values, &Row) -> Result<(), Fault>,
+) -> Result<(), Fault> {
+    if element.properties.is_empty() {
+        return Ok(());
+    }
+    let index_list = index_list(element);
+    let mut row = Row { scalars: vec![0.0; element.properties.len()], list: Vec::new() };
+    for i in 0..element.count {
+        let fault = |e: Fault| in_row(e, element, i);
+        for (p, property) in element.properties.iter().enumerate() {
+            match property.kind {
+                Kind::Scalar(scalar) => row.scalars[p] = values.scalar(scalar).map_err(fault)?,
+                Kind::List { count, item } => {
+                    let n = values.integer(count).map_err(fault)?;
+                    let wanted = Some(p) == index_list;
+                    if wanted {
+                        row.list.clear();
+                    }
+                    for _ in 0..n {
+                        if wanted {
+                            row.list.push(values.integer(item).map_err(fault)?);
+                        } else {
+                            values.scalar(item).map_err(fault)?;
+                        }
+                    }
+                }
+            }
+        }
+        each(values, &row).map_err(fault)?;
+        values.end_row();
+    }
+    Ok(())
+}
+
+/// Binary faults have no line, so they name the row.
+fn in_row(fault: Fault, element: &Element, row: u64) -> Fault {
+    match fault {
+        Fault::Malformed { line, what } => {
+            Fault::Malformed { line, what: format!("{} {row} of {}: {what}", element.name, element.count) }
+        }
+        other => other,
+    }
+}
+
+fn vertices(element: &Element, values: &mut Values, builder: &mut Builder) -> Result<(), Fault> {
+    let scalar = |name: &str| element.properties.iter().position(|p| p.name == name && matches!(p.kind, Kind::Scalar(_)));
+    let (Some(x), Some(y), Some(z)) = (scalar("x"), scalar("y"), scalar("z")) else {
+        return Err(Fault::line(element.line, "the element vertex has no properties x, y and z"));
+    };
+    rows(element, values, |_, row| {
+        builder.vertex(DVec3::new(row.scalars[x], row.scalars[y], row.scalars[z]));
+        Ok(())
+    })
+}
+
+/// Which property is the list of vertex indices; both names are in use.
+fn index_list(element: &Element) -> Option<usize> {
+    let is_list = |kind| matches!(kind, Kind::List { .. });
+    element.properties.iter().position(|p| matches!(p.name.as_str(), "vertex_indices" | "vertex_index") && is_list(p.kind))
+}
+
+/// Fails for an element that should hold indices and does not.
+fn check_index_list(element: &Element) -> Result<(), Fault> {
+    if element.count == 0 || index_list(element).is_some() {
+        return Ok(());
+    }
+    Err(Fault::line(element.line, format!("the element {} has no list vertex_indices", element.name)))
+}
+
+fn faces(element: &Element, values: &mut Values, builder: &mut Builder) -> Result<(), Fault> {
+    check_index_list(element)?;
+    let mut corners = Vec::new();
+    rows(element, values, |values, row| {
+        if row.list.len() < 3 {
+            return Err(values.fault(format!("a face of {} corners", row.list.len())));
+        }
+        corners.clear();
+        corners.extend(row.list.iter().map(|&c| saturating_index(c)));
+        builder.polygon(&corners);
+        Ok(())
+    })
+}
+
+/// Strips in one list, with -1 (or its unsigned twin) where the next one begins.
+fn strips(element: &Element, values: &mut Values, builder: &mut Builder) -> Result<(), Fault> {
+    check_index_list(element)?;
+    rows(element, values, |_, row| {
+        let corners: Vec<u32> = row.list.iter().map(|&c| saturating_index(c)).collect();
+        for strip in corners.split(|&c| c == u32::MAX) {
+            strip_triangles(strip).for_each(|t| builder.polygon(&t));
+        }
+        Ok(())
+    })
+}
+
+/// The mesh as little endian binary ply in f64, with a colour for each face if wanted.
+pub(crate) fn write(mesh: &TriMesh, face_colors: Option<&[[u8; 3]]>) -> Vec<u8> {
+    let colors = if face_colors.is_some() { "property uchar red\nproperty uchar green\nproperty uchar blue\n" } else { "" };
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\n\
+         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {}\nproperty list uchar int vertex_indices\n{colors}end_header\n",
+        mesh.n_vertices(),
+        mesh.n_faces()
+    )
+    .into_bytes();
+    for p in mesh.positions() {
+        bytes.extend(p.to_array().iter().flat_map(|x| x.to_le_bytes()));
+    }
+    for (f, corners) in mesh.faces().iter().enumerate() {
+        bytes.push(3);
+        bytes.extend(corners.iter().flat_map(|v| v.0.to_le_bytes()));
+        if let Some(colors) = face_colors {
+            bytes.extend(colors[f]);
+        }
+    }
+    bytes
+}

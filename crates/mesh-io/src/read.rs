@@ -1,0 +1,32 @@
+//! Reading a file of any format.
+
+use crate::document::Document;
+use crate::error::{Fault, ReadError};
+use crate::{Format, gltf, obj, off, ply, stl};
+use std::fs;
+use std::path::Path;
+
+/// Reads a file; its extension tells the format. A file without faces gives a document without triangles.
+///
+/// A gltf file may name buffers in files beside it, which are read too.
+pub fn read(path: &Path) -> Result<Document, ReadError> {
+    let format = Format::from_path(path).ok_or_else(|| ReadError::UnknownFormat { path: path.to_owned() })?;
+    let bytes = fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    let directory = path.parent().unwrap_or(Path::new(""));
+    parse(&bytes, format, Some(directory)).map_err(|fault| fault.at(path))
+}
+
+/// Reads the contents of a file. A gltf file must hold its buffers; one that names other files is refused.
+pub fn read_bytes(bytes: &[u8], format: Format) -> Result<Document, ReadError> {
+    parse(bytes, format, None).map_err(|fault| fault.at(Path::new("<bytes>")))
+}
+
+fn parse(bytes: &[u8], format: Format, directory: Option<&Path>) -> Result<Document, Fault> {
+    match format {
+        Format::Obj => obj::read(bytes),
+        Format::Ply => ply::read(bytes),
+        Format::Stl => stl::read(bytes),
+        Format::Off => off::read(bytes),
+        Format::Gltf | Format::Glb => gltf::read(bytes, directory),
+    }
+}

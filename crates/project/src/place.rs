@@ -1,0 +1,21 @@
+//! Where the map puts a domain vertex.
+
+use mesh_core::{IdVec, SurfacePoint, VertexId};
+use region_map::BaseMesh;
+
+/// The map that places vertices: a base mesh, and every domain vertex as a point of a base face.
+#[derive(Clone, Copy, Debug)]
+pub struct Origins<'a> {
+    /// The base mesh with its map.
+    pub base: &'a BaseMesh,
+    /// Points on the faces of the base mesh.
+    pub points: &'a IdVec<VertexId, SurfacePoint>,
+}
+
+impl Origins<'_> {
+    /// The point of the working mesh that the map gives a domain vertex.
+    pub(crate) fn place(&self, v: VertexId) -> SurfacePoint {
+        let p = self.points[v];
+        self.base.locate(p.face, p.barycentric)
+    }
+}

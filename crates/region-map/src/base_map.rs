@@ -1,0 +1,235 @@
+//! The bijection between base mesh and working mesh: charts, and a history of small re-triangulations of flat layouts.
+//!
+//! Every patch starts with a chart, an injective piecewise linear map into a convex polygon, in which its base faces are straight
+//! triangles. A later change of the base mesh (flip, split, collapse) lays a few faces out flat, without fold or gap, and
+//! triangulates the same polygon anew. So the whole is a composition of piecewise linear bijections, and the working mesh is
+//! never changed.
+
+use glam::{DMat3, DVec2, DVec3};
+use mesh_core::exact::orient2d;
+use mesh_core::{FaceId, IdVec, SurfaceIndex, SurfacePoint, TriMesh, define_id};
+
+define_id! {
+    /// A chart: one for every patch.
+    ChartId "chart"
+    /// A base face of the map, present or replaced.
+    MapFaceId "mf"
+}
+
+/// A piece of a working face in a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartFace {
+    /// Vertices of the chart.
+    pub vertices: [u32; 3],
+    /// The working face that the piece is a part of.
+    pub source: FaceId,
+    /// Barycentric coordinates of the three vertices in the working face.
+    pub barycentric: [DVec3; 3],
+}
+
+/// An injective piecewise linear map from a patch into the plane.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    uv: Vec<DVec2>,
+    faces: Vec<ChartFace>,
+    /// `(source, face)` in rising order.
+    by_source: Vec<(FaceId, u32)>,
+    index: SurfaceIndex,
+}
+
+/// Why something is not a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum MapError {
+    /// A piece is folded or has no area in the plane.
+    #[error("piece {0} of a chart is folded or has no area")]
+    Folded(usize),
+    /// A chart has no pieces, or a coordinate that is not finite.
+    #[error("a chart has no pieces or a coordinate that is not finite")]
+    Invalid,
+    /// Old and new triangles of an edit don't cover the same area, or one is folded.
+    #[error("an edit of the base mesh does not cover the same flat area before and after")]
+    Uncovered,
+}
+
+impl Chart {
+    /// Takes a chart whose pieces must all be counter-clockwise in the plane (decided exactly).
+    pub fn new(uv: Vec<DVec2>, faces: Vec<ChartFace>) -> Result<Self, MapError> {
+        for (i, f) in faces.iter().enumerate() {
+            let [a, b, c] = f.vertices.map(|v| uv[v as usize]);
+            if orient2d(a, b, c) <= 0.0 {
+                return Err(MapError::Folded(i));
+            }
+        }
+        let flat = TriMesh::new(uv.iter().map(|p| p.extend(0.0)).collect(), faces.iter().map(|f| f.vertices).collect());
+        let flat = flat.ok().filter(|m| m.n_faces() > 0).ok_or(MapError::Invalid)?;
+        let mut by_source: Vec<_> = faces.iter().enumerate().map(|(i, f)| (f.source, i as u32)).collect();
+        by_source.sort_unstable();
+        Ok(Self { index: SurfaceIndex::new(&flat), uv, faces, by_source })
+    }
+
+    /// Positions of the vertices in the plane.
+    pub fn uv(&self) -> &[DVec2] {
+        &self.uv
+    }
+    /// The pieces.
+    pub fn faces(&self) -> &[ChartFace] {
+        &self.faces
+    }
+
+    /// The point of the working mesh at `p`; for a point outside of the chart that of the nearest point inside.
+    pub fn locate(&self, p: DVec2) -> SurfacePoint {
+        // A chart always has a face, so there always is a closest one.
+        let (face, w) = self.index.closest(p.extend(0.0)).map_or((FaceId(0), DVec3::X), |c| (c.face, c.barycentric));
+        let piece = &self.faces[face.0 as usize];
+        let [a, b, c] = piece.barycentric;
+        SurfacePoint::new(piece.source, w.x * a + w.y * b + w.z * c)
+    }
+
+    /// Where a point of the working mesh lies in the plane, `None` for a face that is not in the chart.
+    pub fn find(&self, point: SurfacePoint) -> Option<DVec2> {
+        let start = self.by_source.partition_point(|&(f, _)| f < point.face);
+        let pieces = self.by_source[start..].iter().take_while(|(f, _)| *f == point.face);
+        let (_, piece, w) = pieces
+            .map(|&(_, i)| {
+                let piece = &self.faces[i as usize];
+                let w = DMat3::from_cols(piece.barycentric[0], piece.barycentric[1], piece.barycentric[2]).inverse()
+                    * point.barycentric;
+                (if w.is_finite() { w.min_element() } else { f64::NEG_INFINITY }, piece, w)
+            })
+            .max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let w = if w.is_finite() { w.max(DVec3::ZERO) / w.max(DVec3::ZERO).element_sum() } else { DVec3::splat(1.0 / 3.0) };
+        let [a, b, c] = piece.vertices.map(|v| self.uv[v as usize]);
+        Some(w.x * a + w.y * b + w.z * c)
+    }
+}
+
+/// A base face of the map in the layout that it was made in.
+#[derive(Clone, Debug)]
+struct MapFace {
+    origin: Origin,
+    layout: [DVec2; 3],
+    /// The edit that took the face away.
+    replaced_by: Option<usize>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Origin {
+    Chart(ChartId),
+    Edit(usize),
+}
+
+/// A flat polygon, triangulated in two ways.
+#[derive(Clone, Debug)]
+struct Edit {
+    old: Vec<(MapFaceId, [DVec2; 3])>,
+    new: Vec<MapFaceId>,
+}
+
+/// The bijection between base faces and working mesh.
+#[derive(Clone, Debug)]
+pub struct BaseMap {
+    charts: IdVec<ChartId, Chart>,
+    chart_of_face: IdVec<FaceId, ChartId>,
+    roots: IdVec<ChartId, Vec<MapFaceId>>,
+    faces: IdVec<MapFaceId, MapFace>,
+    edits: Vec<Edit>,
+}
+
+impl BaseMap {
+    /// A map from charts that cover the working faces as `chart_of_face` says, and the first base faces as triangles in them.
+    pub fn new(charts: IdVec<ChartId, Chart>, chart_of_face: IdVec<FaceId, ChartId>, base: &[(ChartId, [DVec2; 3])]) -> Self {
+        let mut roots = IdVec::filled(Vec::new(), charts.len());
+        let mut faces = IdVec::new();
+        for &(chart, layout) in base {
+            roots[chart].push(faces.push(MapFace { origin: Origin::Chart(chart), layout, replaced_by: None }));
+        }
+        Self { charts, chart_of_face, roots, faces, edits: Vec::new() }
+    }
+
+    /// The charts.
+    pub fn charts(&self) -> &IdVec<ChartId, Chart> {
+        &self.charts
+    }
+    /// Number of edits so far.
+    pub fn n_edits(&self) -> usize {
+        self.edits.len()
+    }
+
+    /// Replaces faces, laid out flat, by new triangles of the same polygon. Fails, changing nothing, when one is folded or the
+    /// areas differ.
+    pub fn replace(&mut self, old: &[(MapFaceId, [DVec2; 3])], new: &[[DVec2; 3]]) -> Result<Vec<MapFaceId>, MapError> {
+        let area = |[a, b, c]: [DVec2; 3]| 0.5 * (b - a).perp_dot(c - a);
+        let (mut before, mut after) = (0.0, 0.0);
+        for (sum, t) in old.iter().map(|o| (false, o.1)).chain(new.iter().map(|&n| (true, n))) {
+            if orient2d(t[0], t[1], t[2]) <= 0.0 {
+                return Err(MapError::Uncovered);
+            }
+            *(if sum { &mut after } else { &mut before }) += area(t);
+        }
+        // Layouts are of unit scale and have few triangles: rounding is far below this.
+        if (before - after).abs() > 1e-9 * before || old.iter().any(|(f, _)| self.faces[*f].replaced_by.is_some()) {
+            return Err(MapError::Uncovered);
+        }
+        let edit = self.edits.len();
+        for (f, _) in old {
+            self.faces[*f].replaced_by = Some(edit);
+        }
+        let origin = Origin::Edit(edit);
+        let made: Vec<_> = new.iter().map(|&layout| self.faces.push(MapFace { origin, layout, replaced_by: None })).collect();
+        self.edits.push(Edit { old: old.to_vec(), new: made.clone() });
+        Ok(made)
+    }
+
+    /// The point of the working mesh at barycentric coordinates of a base face: the history run backwards.
+    pub fn locate(&self, mut face: MapFaceId, mut barycentric: DVec3) -> SurfacePoint {
+        loop {
+            let MapFace { origin, layout, .. } = &self.faces[face];
+            let p = at(layout, barycentric);
+            match *origin {
+                Origin::Chart(chart) => return self.charts[chart].locate(p),
+                Origin::Edit(edit) => {
+                    (face, barycentric) = containing(self.edits[edit].old.iter().map(|(f, t)| (*f, t)), p, face)
+                }
+            }
+        }
+    }
+
+    /// The present base face and the barycentric coordinates in it of a point of the working mesh: the history run forwards.
+    /// `None` for a face that no chart holds.
+    pub fn find(&self, point: SurfacePoint) -> Option<(MapFaceId, DVec3)> {
+        let chart = *self.chart_of_face.get(point.face)?;
+        let p = self.charts[chart].find(point)?;
+        let first = *self.roots[chart].first()?;
+        let (mut face, mut barycentric) = containing(self.roots[chart].iter().map(|&f| (f, &self.faces[f].layout)), p, first);
+        while let Some(edit) = self.faces[face].replaced_by {
+            let Edit { old, new } = &self.edits[edit];
+            let layout = &old.iter().find(|(f, _)| *f == face)?.1;
+            let p = at(layout, barycentric);
+            (face, barycentric) = containing(new.iter().map(|&f| (f, &self.faces[f].layout)), p, face);
+        }
+        Some((face, barycentric))
+    }
+}
+
+/// The point at barycentric coordinates of a flat triangle.
+fn at(t: &[DVec2; 3], w: DVec3) -> DVec2 {
+    w.x * t[0] + w.y * t[1] + w.z * t[2]
+}
+
+/// The triangle that holds `p` (or comes nearest to), and the barycentric coordinates of `p` in it, clamped. `otherwise` without triangles.
+fn containing<'a>(
+    triangles: impl Iterator<Item = (MapFaceId, &'a [DVec2; 3])>,
+    p: DVec2,
+    otherwise: MapFaceId,
+) -> (MapFaceId, DVec3) {
+    triangles
+        .map(|(f, t)| (f, flat_barycentric(t, p)))
+        .max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element()).then(b.0.cmp(&a.0)))
+        .map_or((otherwise, DVec3::splat(1.0 / 3.0)), |(f, w)| (f, w.max(DVec3::ZERO) / w.max(DVec3::ZERO).element_sum()))
+}
+
+/// Barycentric coordinates of `p` in a flat triangle with area.
+fn flat_barycentric(&[a, b, c]: &[DVec2; 3], p: DVec2) -> DVec3 {
+    let w = DVec3::new((c - b).perp_dot(p - b), (a - c).perp_dot(p - c), (b - a).perp_dot(p - a));
+    w / w.element_sum()
+}

@@ -1,0 +1,177 @@
+//! The feature network: corners, arcs and the sheets between them.
+
+use crate::chain::{spokes, trace_chains};
+use glam::DVec3;
+use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
+
+define_id! {
+    /// A corner of the network: it never moves.
+    CornerId "c"
+    /// An arc of the network.
+    ArcId "a"
+    /// A sheet: a part of the surface that no arc crosses.
+    SheetId "s"
+}
+
+/// What an arc follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArcKind {
+    /// A crease.
+    Sharp,
+    /// The border of the surface.
+    Border,
+    /// Edges that the user marked.
+    Marked,
+}
+
+/// A chain of edges between two corners, or a closed chain without one.
+#[derive(Clone, Debug)]
+pub struct Arc {
+    /// What it follows.
+    pub kind: ArcKind,
+    /// Vertices in order. A closed chain ends with its first vertex.
+    pub vertices: Vec<VertexId>,
+    /// For every edge of the chain one of its halfedges, in either direction.
+    pub halfedges: Vec<HalfedgeId>,
+    /// Arc length up to every vertex, from 0 to [`Arc::length`].
+    pub lengths: Vec<f64>,
+    /// The corners at both ends (they may be the same one), `None` for a closed chain without corner.
+    pub corners: Option<[CornerId; 2]>,
+}
+
+impl Arc {
+    /// Total length.
+    pub fn length(&self) -> f64 {
+        self.lengths.last().copied().unwrap_or(0.0)
+    }
+
+    /// True for a closed chain without a corner, on which arc lengths wrap around.
+    pub fn is_loop(&self) -> bool {
+        self.corners.is_none()
+    }
+
+    /// The arc length `t` brought into `[0, length]`: wrapped around on a loop, else clamped.
+    pub fn normalise(&self, t: f64) -> f64 {
+        let length = self.length();
+        if self.is_loop() && length > 0.0 { t.rem_euclid(length).min(length) } else { t.clamp(0.0, length) }
+    }
+
+    /// The edge (its index in the chain) at arc length `t`, and how far along it, 0 to 1.
+    pub fn segment(&self, t: f64) -> (usize, f64) {
+        segment(&self.lengths, self.normalise(t))
+    }
+
+    /// The position at arc length `t`.
+    pub fn position(&self, mesh: &TriMesh, t: f64) -> DVec3 {
+        let (i, s) = self.segment(t);
+        mesh.position(self.vertices[i]).lerp(mesh.position(self.vertices[i + 1]), s)
+    }
+
+    /// The point at arc length `t`, as a point of a face beside the arc.
+    pub fn point(&self, topology: &Topology, t: f64) -> SurfacePoint {
+        let (i, s) = self.segment(t);
+        on_edge(topology, self.halfedges[i], self.vertices[i], s)
+    }
+
+    /// The halfedges along the edge at arc length `t`: the one that runs with the arc (the surface on its left) and the one
+    /// against it; one of them is `None` on the border.
+    pub fn sides(&self, topology: &Topology, t: f64) -> [Option<HalfedgeId>; 2] {
+        let (i, _) = self.segment(t);
+        let h = self.halfedges[i];
+        let both = [Some(h), topology.twin(h)];
+        if topology.from(h) == self.vertices[i] { both } else { [both[1], both[0]] }
+    }
+}
+
+/// The segment of a polyline with these cumulative lengths that `t` lies on, and how far along it, 0 to 1.
+pub(crate) fn segment(lengths: &[f64], t: f64) -> (usize, f64) {
+    let last = lengths.len().saturating_sub(2);
+    let i = lengths.partition_point(|&l| l <= t).saturating_sub(1).min(last);
+    let length = lengths[i + 1] - lengths[i];
+    let s = if length > 0.0 { ((t - lengths[i]) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (i, s)
+}
+
+/// The point `s` (0 to 1) of the way from `start` along the edge of halfedge `h`.
+pub(crate) fn on_edge(topology: &Topology, h: HalfedgeId, start: VertexId, s: f64) -> SurfacePoint {
+    let s = if topology.from(h) == start { s } else { 1.0 - s };
+    let mut point = SurfacePoint::at_corner(h.face(), h.corner());
+    point.barycentric[h.corner()] = 1.0 - s;
+    point.barycentric[(h.corner() + 1) % 3] = s;
+    point
+}
+
+/// Corners, arcs and sheets of a working mesh.
+#[derive(Clone, Debug)]
+pub struct Network {
+    /// The vertex of every corner.
+    pub corners: IdVec<CornerId, VertexId>,
+    /// All arcs.
+    pub arcs: IdVec<ArcId, Arc>,
+    /// The arc that an edge lies on.
+    pub arc_of_edge: IdVec<EdgeId, Option<ArcId>>,
+    /// The corner at a vertex.
+    pub corner_of_vertex: IdVec<VertexId, Option<CornerId>>,
+    /// The sheet of every face.
+    pub sheet_of_face: IdVec<FaceId, SheetId>,
+    /// Number of sheets.
+    pub n_sheets: usize,
+    /// Creases that were found and not kept, as chains of vertices.
+    pub minor: Vec<Vec<VertexId>>,
+}
+
+impl Network {
+    /// Traces the arcs along all edges that have a kind, between corners.
+    ///
+    /// Corners are the vertices for which `is_corner` holds and all whose number of feature edges is neither 0 nor 2, or where
+    /// two kinds meet. Border edges must have a kind (they always bound). `minor` is kept as given.
+    pub fn trace(
+        mesh: &TriMesh,
+        topology: &Topology,
+        kinds: &IdVec<EdgeId, Option<ArcKind>>,
+        is_corner: impl Fn(VertexId) -> bool,
+        minor: Vec<Vec<VertexId>>,
+    ) -> Self {
+        let mut corners = IdVec::new();
+        let mut corner_of_vertex = IdVec::filled(None, topology.n_vertices());
+        for v in mesh.positions().ids() {
+            let mut at_vertex = spokes(topology, v).filter_map(|h| kinds[topology.edge(h)]);
+            let first = at_vertex.next();
+            let (mut degree, mut mixed) = (usize::from(first.is_some()), false);
+            for kind in at_vertex {
+                degree += 1;
+                mixed |= Some(kind) != first;
+            }
+            if is_corner(v) || (degree != 0 && (degree != 2 || mixed)) {
+                corner_of_vertex[v] = Some(corners.push(v));
+            }
+        }
+        let chains = trace_chains(topology, |e| kinds[e].is_some(), |v| corner_of_vertex[v].is_some());
+        let mut arcs = IdVec::new();
+        let mut arc_of_edge = IdVec::filled(None, topology.n_edges());
+        for chain in chains {
+            let Some(kind) = kinds[topology.edge(chain.halfedges[0])] else { continue };
+            let ends = [chain.vertices[0], chain.vertices[chain.vertices.len() - 1]].map(|v| corner_of_vertex[v]);
+            let corners = if let [Some(a), Some(b)] = ends { Some([a, b]) } else { None };
+            let lengths = chain.lengths(mesh);
+            let edges: Vec<EdgeId> = chain.halfedges.iter().map(|&h| topology.edge(h)).collect();
+            let id = arcs.push(Arc { kind, vertices: chain.vertices, halfedges: chain.halfedges, lengths, corners });
+            for e in edges {
+                arc_of_edge[e] = Some(id);
+            }
+        }
+        let (regions, n_sheets) = topology.regions(|e| kinds[e].is_none());
+        let sheet_of_face = regions.iter().map(|&r| SheetId(r)).collect();
+        Self { corners, arcs, arc_of_edge, corner_of_vertex, sheet_of_face, n_sheets, minor }
+    }
+
+    /// True where an edge lies on an arc: nothing may cross it.
+    pub fn is_barrier(&self, e: EdgeId) -> bool {
+        self.arc_of_edge[e].is_some()
+    }
+
+    /// Total length of all arcs.
+    pub fn total_length(&self) -> f64 {
+        self.arcs.iter().map(Arc::length).sum()
+    }
+}

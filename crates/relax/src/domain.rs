@@ -1,0 +1,158 @@
+//! The domain as the relaxation sees it: what each vertex is free to do, and which side of its arc each face lies on.
+
+use crate::RelaxError;
+use glam::DVec3;
+use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
+use region_map::{ArcId, ArcSpan, Attachment, CornerId, RegionMap, Surface};
+
+/// What never changes while the vertices move.
+pub(crate) struct Domain<'a> {
+    pub(crate) surface: &'a Surface<'a>,
+    pub(crate) topology: &'a Topology,
+    pub(crate) map: &'a RegionMap,
+    /// What every vertex is free to do.
+    pub(crate) freedoms: IdVec<VertexId, Freedom>,
+    /// Which normal each face takes at each of its corners.
+    normals: IdVec<HalfedgeId, CornerNormal>,
+}
+
+/// What a vertex is free to do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Freedom {
+    /// Nothing: it is at a corner.
+    Fixed,
+    /// Slide along its arc between two neighbours.
+    Rail(Rail),
+    /// Move over its sheet.
+    Sheet,
+}
+
+/// The place of a vertex on its arc.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rail {
+    pub(crate) arc: ArcId,
+    pub(crate) behind: RailEnd,
+    pub(crate) ahead: RailEnd,
+}
+
+/// A neighbour on an arc: in the arc lengths of the vertex between, it is at its own arc length plus `shift`.
+///
+/// The shift is a multiple of the length on a loop, and else 0. A corner has the arc length 0 and its place as shift.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RailEnd {
+    pub(crate) vertex: VertexId,
+    pub(crate) shift: f64,
+}
+
+/// Which normal a face takes at a corner.
+#[derive(Clone, Copy, Debug)]
+enum CornerNormal {
+    /// The vertex' own (inside a sheet), or the one on the left side of its arc.
+    Left,
+    /// The one on the right side of its arc.
+    Right,
+    /// That of a sector at a corner of the network, which counts only where the face has no other.
+    Sector(DVec3),
+}
+
+impl<'a> Domain<'a> {
+    /// Checks the map and works out what the vertices may do.
+    pub(crate) fn new(surface: &'a Surface<'a>, topology: &'a Topology, map: &'a RegionMap) -> Result<Self, RelaxError> {
+        map.check(topology, surface.network)?;
+        let mut freedoms = IdVec::filled(Freedom::Fixed, topology.n_vertices());
+        for (v, attachment) in map.attachments.enumerate() {
+            freedoms[v] = match *attachment {
+                Attachment::Corner(_) => Freedom::Fixed,
+                Attachment::Arc { arc, t } => Freedom::Rail(rail(topology, map, v, arc, t)?),
+                Attachment::Sheet(sheet) if surface.network.sheet_of_face.get(map.points[v].face) == Some(&sheet) => Freedom::Sheet,
+                Attachment::Sheet(_) => return Err(RelaxError::OtherSheet(v)),
+            };
+        }
+        let mut normals = IdVec::filled(CornerNormal::Left, 3 * topology.n_faces());
+        for (v, freedom) in freedoms.enumerate() {
+            match (freedom, map.attachments[v]) {
+                (Freedom::Rail(rail), _) => mark_right_side(topology, v, rail, &mut normals),
+                (_, Attachment::Corner(c)) => mark_sectors(surface, topology, map, v, c, &mut normals),
+                _ => {}
+            }
+        }
+        Ok(Self { surface, topology, map, freedoms, normals })
+    }
+
+    /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of
+    /// the arcs. `normals` gives both sides at a vertex.
+    pub(crate) fn reference_normal(&self, f: FaceId, normals: impl Fn(VertexId) -> [DVec3; 2]) -> DVec3 {
+        let (mut free, mut sectors) = (DVec3::ZERO, DVec3::ZERO);
+        for (c, v) in self.topology.face(f).into_iter().enumerate() {
+            match self.normals[HalfedgeId::of(f, c)] {
+                CornerNormal::Left => free += normals(v)[0],
+                CornerNormal::Right => free += normals(v)[1],
+                CornerNormal::Sector(n) => sectors += n,
+            }
+        }
+        free.try_normalize().unwrap_or_else(|| sectors.normalize_or_zero())
+    }
+}
+
+/// The neighbours of `v`, at arc length `t`, on its arc.
+fn rail(topology: &Topology, map: &RegionMap, v: VertexId, arc: ArcId, t: f64) -> Result<Rail, RelaxError> {
+    let mut ends: Vec<(f64, RailEnd)> = Vec::new();
+    for vertex in topology.one_ring(v) {
+        if let Some(span) = map.span(v, vertex).filter(|span| span.arc == arc) {
+            let own = match map.attachments[vertex] {
+                Attachment::Arc { t, .. } => t,
+                _ => 0.0,
+            };
+            let gap = span.to - span.from;
+            ends.push((gap, RailEnd { vertex, shift: t + gap - own }));
+        }
+    }
+    match ends[..] {
+        [(a, behind), (b, ahead)] if a <= 0.0 && b >= 0.0 && a < b => Ok(Rail { arc, behind, ahead }),
+        [(b, ahead), (a, behind)] if a <= 0.0 && b >= 0.0 && a < b => Ok(Rail { arc, behind, ahead }),
+        _ => Err(RelaxError::ArcOrder(v)),
+    }
+}
+
+/// Marks the corners at `v` that lie to the right of its arc: those from the neighbour behind counter-clockwise to the one ahead.
+fn mark_right_side(topology: &Topology, v: VertexId, rail: &Rail, normals: &mut IdVec<HalfedgeId, CornerNormal>) {
+    let fan: Vec<_> = topology.fan(v).collect();
+    let start = fan.iter().position(|&h| topology.to(h) == rail.behind.vertex);
+    let Some(start) = start else { return };
+    for &h in fan[start..].iter().chain(&fan[..start]) {
+        if topology.to(h) == rail.ahead.vertex {
+            return;
+        }
+        normals[h] = CornerNormal::Right;
+    }
+}
+
+/// Gives the corners at `v`, which sits at corner `c` of the network, the normals of their sectors between arcs.
+fn mark_sectors(
+    surface: &Surface,
+    topology: &Topology,
+    map: &RegionMap,
+    v: VertexId,
+    c: CornerId,
+    normals: &mut IdVec<HalfedgeId, CornerNormal>,
+) {
+    let fan: Vec<_> = topology.fan(v).collect();
+    let span_of = |h: HalfedgeId| map.span(v, topology.to(h));
+    let start = fan.iter().position(|&h| span_of(h).is_some()).unwrap_or(0);
+    let mut normal = DVec3::ZERO;
+    for &h in fan[start..].iter().chain(&fan[..start]) {
+        if let Some(span) = span_of(h) {
+            normal = sector_normal(surface, c, span);
+        }
+        normals[h] = CornerNormal::Sector(normal);
+    }
+}
+
+/// The normal of the sector counter-clockwise of a span that leaves corner `c`.
+fn sector_normal(surface: &Surface, c: CornerId, span: ArcSpan) -> DVec3 {
+    let arc = &surface.network.arcs[span.arc];
+    let with_arc = span.from < span.to;
+    debug_assert!(arc.corners.is_some_and(|ends| ends[usize::from(!with_arc)] == c));
+    let leaving = arc.sides(surface.topology, span.from)[usize::from(!with_arc)];
+    leaving.map_or(DVec3::ZERO, |h| surface.normals.at_corner(h))
+}

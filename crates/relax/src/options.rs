@@ -1,0 +1,72 @@
+//! Options of both parts of the relaxation.
+
+use mesh_core::{FaceId, IdVec};
+
+/// How to relax: first the paper's quadric relaxation, then shape optimisation.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RelaxOptions {
+    /// The paper's relaxation.
+    pub quadric: QuadricOptions,
+    /// Shape optimisation.
+    pub shape: ShapeOptions,
+}
+
+/// The paper's relaxation (section 4.3, eqs. 7 to 9).
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuadricOptions {
+    /// Iterations at most; 0 leaves the part out. Default 10: it only smooths the start of the shape optimisation.
+    pub iterations: usize,
+    /// Weights of the neighbours. Default adaptive.
+    pub weights: Weights,
+    /// Weight of the distance to the tangent plane against that to the centroid, not negative. Default 1, the paper's.
+    pub plane_weight: f64,
+    /// Mean quality (AR, 0 to 1) at which to stop: the paper's `T_AR`. Default 1, never reached.
+    pub target_quality: f64,
+}
+
+impl Default for QuadricOptions {
+    fn default() -> Self {
+        Self { iterations: 10, weights: Weights::Adaptive, plane_weight: 1.0, target_quality: 1.0 }
+    }
+}
+
+/// Weights of the neighbours in the centroid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weights {
+    /// All 1 (section 4.3.1).
+    Uniform,
+    /// The cube of the valence, diffused over vertices of valence 6 (section 4.3.2, corrected).
+    Adaptive,
+}
+
+/// Shape optimisation of the finest level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShapeOptions {
+    /// Newton steps at most while triangles are inverted; 0 leaves untangling out. Default 60.
+    pub untangling_steps: usize,
+    /// Newton steps at most once none is; 0 leaves the part out. Default 30.
+    pub steps: usize,
+    /// Power of the shape term, 1 or more: more lifts the worst triangles at the cost of the mean. Default 2.
+    pub power: f64,
+    /// Weight of the size term against the shape term, not negative. Default 0.02.
+    pub size_weight: f64,
+    /// The areas wanted.
+    pub target: TargetArea,
+    /// Stop when a step lowers the energy (in excess of its least value, 1 a triangle) by less than this share. Default 1e-3.
+    pub tolerance: f64,
+}
+
+impl Default for ShapeOptions {
+    fn default() -> Self {
+        Self { untangling_steps: 60, steps: 30, power: 2.0, size_weight: 0.02, target: TargetArea::SheetMean, tolerance: 1e-3 }
+    }
+}
+
+/// The areas that the triangles of the finest level shall have.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TargetArea {
+    /// The mean over each sheet at the start.
+    SheetMean,
+    /// Given for every face of the domain, positive; only ratios inside a sheet matter much.
+    PerFace(IdVec<FaceId, f64>),
+}

@@ -1,0 +1,38 @@
+//! How good the triangles of a placement are.
+
+use crate::domain::Domain;
+use crate::placement::Placement;
+use mesh_core::{FaceId, aspect_ratio};
+use rayon::prelude::*;
+
+/// The quality of all triangles of a domain.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quality {
+    /// Mean AR, where an inverted triangle counts 0.
+    pub ar_mean: f64,
+    /// Least AR, 0 with an inverted triangle.
+    pub ar_min: f64,
+    /// Triangles that face against the surface or have no area.
+    pub inverted: usize,
+}
+
+impl Quality {
+    /// Measures a placement.
+    pub(crate) fn of(placement: &Placement, domain: &Domain) -> Self {
+        let upright = |f: FaceId| (placement.signed_area(domain, f) > 0.0).then(|| aspect_ratio(placement.triangle(domain, f)));
+        let ratios: Vec<Option<f64>> = domain.faces().into_par_iter().map(upright).collect();
+        let (mut sum, mut least, mut inverted) = (0.0, 1.0f64, 0);
+        for ratio in &ratios {
+            inverted += usize::from(ratio.is_none());
+            sum += ratio.unwrap_or(0.0);
+            least = least.min(ratio.unwrap_or(0.0));
+        }
+        let ar_mean = sum / ratios.len().max(1) as f64;
+        Self { ar_mean, ar_min: least, inverted }
+    }
+
+    /// Fewer inverted triangles, or as many and a better mean.
+    pub(crate) fn is_better_than(&self, other: &Self) -> bool {
+        self.inverted < other.inverted || (self.inverted == other.inverted && self.ar_mean > other.ar_mean)
+    }
+}

@@ -1,0 +1,68 @@
+//! The verb of this crate: quadric relaxation, then shape optimisation.
+
+use crate::domain::Domain;
+use crate::placement::Placement;
+use crate::quadric::relax_quadric;
+use crate::shape::optimise_shape;
+use crate::{Quality, RelaxError, RelaxOptions};
+use mesh_core::{Topology, TriMesh};
+use region_map::{RegionMap, Surface};
+
+/// A relaxed domain.
+#[derive(Clone, Debug)]
+pub struct Relaxed {
+    /// The domain with its vertices at the points of the map.
+    pub mesh: TriMesh,
+    /// The map with new points, arc lengths and spans.
+    pub map: RegionMap,
+    /// What was reached.
+    pub report: RelaxReport,
+}
+
+/// What a relaxation reached.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RelaxReport {
+    /// Quality at the start.
+    pub start: Quality,
+    /// Quality after the paper's relaxation.
+    pub after_quadric: Quality,
+    /// Quality at the end.
+    pub end: Quality,
+    /// Iterations of the paper's relaxation.
+    pub quadric_iterations: usize,
+    /// Newton steps of the shape optimisation.
+    pub shape_steps: usize,
+}
+
+/// Moves the vertices of a domain mesh over the surface until its triangles are as near to equilateral as its connectivity and
+/// the arcs allow.
+///
+/// Corners stay, vertices on arcs slide along them in their order, all others move inside their sheet. Vertices start at the
+/// points of `map`; the positions of `domain` are not read. No triangle that faces with the surface is turned over, inverted
+/// ones are turned back where that is possible, and the result is never worse than the start: it has no more inverted
+/// triangles, and with as many not a lower mean quality.
+///
+/// Fails when the map does not fit the domain or the surface.
+pub fn relax(
+    surface: &Surface,
+    domain: &TriMesh,
+    topology: &Topology,
+    map: &RegionMap,
+    options: &RelaxOptions,
+) -> Result<Relaxed, RelaxError> {
+    let mesh = domain;
+    let domain = Domain::new(surface, topology, map)?;
+    let start = Placement::of_map(&domain);
+    let start_quality = Quality::of(&start, &domain);
+
+    let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
+    let after_quadric = Quality::of(&relaxed, &domain);
+    let (optimised, shape_steps) = optimise_shape(&domain, relaxed.clone(), &options.shape)?;
+    let after_shape = Quality::of(&optimised, &domain);
+
+    let (best, end) =
+        if after_quadric.is_better_than(&after_shape) { (relaxed, after_quadric) } else { (optimised, after_shape) };
+    let (mesh, map) = best.into_domain(&domain, mesh)?;
+    let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
+    Ok(Relaxed { mesh, map, report })
+}

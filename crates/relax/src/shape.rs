@@ -1,0 +1,207 @@
+//! Shape optimisation of the finest level: Newton's method with walks for steps.
+//!
+//! The unknowns are tangential: two at a vertex inside a sheet, one on an arc, none at a corner. Each step minimises the
+//! second-order model of the energy by conjugate gradients, walks, takes back what turned over, and is halved until the energy
+//! falls. While triangles are inverted the energy is regularised, less and less as the worst of them improves.
+
+use crate::domain::{Domain, Freedom};
+use crate::energy::{Metric, Triangle};
+use crate::placement::Placement;
+use crate::system::{Element, Pattern, System};
+use crate::{RelaxError, ShapeOptions, TargetArea};
+use glam::{DMat2, DVec2, DVec3};
+use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
+use rayon::prelude::*;
+
+/// The share to which conjugate gradients lower the residual, and their cap.
+const SOLVER_TOLERANCE: f64 = 0.1;
+const SOLVER_STEPS: usize = 100;
+/// How often a step that does not lower the energy is halved.
+const HALVINGS: usize = 8;
+/// A vertex walks at most this share of the mean length of its edges in one step.
+const STEP_SHARE: f64 = 1.0;
+
+/// Optimises the shape of all triangles. Returns the placement and the number of Newton steps.
+pub(crate) fn optimise_shape(
+    domain: &Domain,
+    start: Placement,
+    options: &ShapeOptions,
+) -> Result<(Placement, usize), RelaxError> {
+    let mut optimiser = Optimiser::new(domain, start, options)?;
+    let untangling = optimiser.untangle(options);
+    let smoothing = if options.steps > 0 { optimiser.smooth(options) } else { 0 };
+    Ok((optimiser.placement, untangling + smoothing))
+}
+
+struct Optimiser<'a> {
+    domain: &'a Domain<'a>,
+    faces: Vec<FaceId>,
+    pattern: Pattern,
+    targets: IdVec<FaceId, f64>,
+    metric: Metric,
+    /// Regularisation of every face, an area.
+    eps: IdVec<FaceId, f64>,
+    placement: Placement,
+}
+
+impl<'a> Optimiser<'a> {
+    fn new(domain: &'a Domain<'a>, placement: Placement, options: &ShapeOptions) -> Result<Self, RelaxError> {
+        let faces = domain.faces();
+        let targets = match &options.target {
+            TargetArea::SheetMean => sheet_means(domain, &placement),
+            TargetArea::PerFace(areas) if areas.len() == faces.len() && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => areas.clone(),
+            TargetArea::PerFace(_) => return Err(RelaxError::TargetArea { faces: faces.len() }),
+        };
+        let metric = Metric { power: options.power.max(1.0), size_weight: options.size_weight.max(0.0) };
+        let eps = IdVec::filled(0.0, faces.len());
+        Ok(Self { domain, pattern: Pattern::new(domain.topology), faces, targets, metric, eps, placement })
+    }
+
+    /// Steps until no triangle is inverted, or the cap.
+    fn untangle(&mut self, options: &ShapeOptions) -> usize {
+        let scales = local_areas(self.domain, &self.placement);
+        for step in 0..options.untangling_steps {
+            let areas = self.placement.signed_areas(self.domain);
+            let worst = self.faces.iter().map(|&f| areas[f] / scales[f]).fold(f64::INFINITY, f64::min);
+            if worst > 0.0 {
+                self.eps = IdVec::filled(0.0, self.faces.len());
+                return step;
+            }
+            let eps = (1e-3f64.powi(2) + 0.04 * worst * worst).sqrt();
+            self.eps = scales.iter().map(|s| eps * s).collect();
+            if self.step().is_none() {
+                return step + 1;
+            }
+        }
+        options.untangling_steps
+    }
+
+    /// Steps until the energy hardly falls, or the cap.
+    fn smooth(&mut self, options: &ShapeOptions) -> usize {
+        let least = (1.0 + self.metric.size_weight) * self.faces.len() as f64;
+        for step in 0..options.steps {
+            let Some((before, after)) = self.step() else { return step };
+            if before - after < options.tolerance * (before - least) {
+                return step + 1;
+            }
+        }
+        options.steps
+    }
+
+    /// One Newton step. The energy before and after, `None` when no step lowers it.
+    fn step(&mut self) -> Option<(f64, f64)> {
+        let before = self.energy(&self.placement);
+        let frames = self.frames();
+        let system = System::assemble(&self.pattern, self.domain.topology, &self.elements(&frames));
+        let solution = system.solve(SOLVER_TOLERANCE, SOLVER_STEPS);
+        let limits = self.step_limits();
+        let mut share = 1.0;
+        for _ in 0..=HALVINGS {
+            let way = |v: VertexId| {
+                let ([x, y], d) = (frames[v], share * solution[v.index()]);
+                (d.x * x + d.y * y).clamp_length_max(limits[v])
+            };
+            let mut trial = self.placement.displaced(self.domain, way);
+            trial.hold_upright(self.domain, &self.placement);
+            let after = self.energy(&trial);
+            if after < before {
+                self.placement = trial;
+                return Some((before, after));
+            }
+            share *= 0.5;
+        }
+        None
+    }
+
+    fn triangle(&self, placement: &Placement, f: FaceId) -> Triangle {
+        Triangle {
+            corners: placement.triangle(self.domain, f),
+            normal: placement.reference_normal(self.domain, f),
+            target: self.targets[f],
+            eps: self.eps[f],
+        }
+    }
+
+    /// The energy of all triangles, summed in order.
+    fn energy(&self, placement: &Placement) -> f64 {
+        let energies: Vec<f64> =
+            self.faces.par_iter().map(|&f| self.triangle(placement, f).energy(&self.metric)).collect();
+        energies.into_iter().sum()
+    }
+
+    /// The directions that each vertex can move in: two, one and 0, or both 0.
+    fn frames(&self) -> IdVec<VertexId, [DVec3; 2]> {
+        let frame = |v: VertexId| {
+            let spot = &self.placement[v];
+            match &self.domain.freedoms[v] {
+                Freedom::Fixed => [DVec3::ZERO; 2],
+                Freedom::Rail(rail) => [self.domain.rail_direction(rail, spot.t), DVec3::ZERO],
+                Freedom::Sheet => match spot.normals[0].try_normalize() {
+                    Some(normal) => normal.any_orthonormal_pair().into(),
+                    None => [DVec3::ZERO; 2],
+                },
+            }
+        };
+        self.domain.freedoms.ids().map(frame).collect()
+    }
+
+    /// What each triangle adds to the system.
+    fn elements(&self, frames: &IdVec<VertexId, [DVec3; 2]>) -> Vec<Element> {
+        let element = |&f: &FaceId| {
+            let frames = self.domain.topology.face(f).map(|v| frames[v]);
+            element(&self.triangle(&self.placement, f), &self.metric, &frames)
+        };
+        self.faces.par_iter().map(element).collect()
+    }
+
+    /// How far each vertex may walk in one step.
+    fn step_limits(&self) -> IdVec<VertexId, f64> {
+        let limit = |v: VertexId| {
+            let at = self.placement[v].position;
+            let (sum, n) = self.domain.topology.one_ring(v).fold((0.0, 0), |(sum, n), w| (sum + at.distance(self.placement[w].position), n + 1));
+            STEP_SHARE * sum / f64::from(n.max(1))
+        };
+        self.domain.freedoms.ids().map(limit).collect()
+    }
+}
+
+/// The second-order model of a triangle's energy in the frames of its corners.
+fn element(triangle: &Triangle, metric: &Metric, frames: &[[DVec3; 2]; 3]) -> Element {
+    let e = triangle.expansion(metric);
+    let into_frame = |i: usize, g: DVec3| DVec2::new(frames[i][0].dot(g), frames[i][1].dot(g));
+    let [l, a, g] = [e.lengths, e.areas, e.gradient].map(|d| [0, 1, 2].map(|i| into_frame(i, d[i])));
+    let block = |i: usize, j: usize| {
+        let [x, y] = frames[j].map(|axis| into_frame(i, axis));
+        let m = if i == j { 4.0 } else { -2.0 };
+        DMat2::from_cols(x, y) * (m * e.stiffness)
+            + outer(e.ll * l[i] + e.la * a[i], l[j])
+            + outer(e.la * l[i] + e.aa * a[i], a[j])
+    };
+    Element { diagonal: [0, 1, 2].map(|i| block(i, i)), off_diagonal: [block(0, 1), block(1, 2), block(2, 0)], right: g.map(|g| -g) }
+}
+
+fn outer(a: DVec2, b: DVec2) -> DMat2 {
+    DMat2::from_cols(a * b.x, a * b.y)
+}
+
+/// For every face the mean area of the faces of its sheet.
+fn sheet_means(domain: &Domain, placement: &Placement) -> IdVec<FaceId, f64> {
+    let mut sums = vec![(0.0, 0usize); domain.surface.network.n_sheets];
+    let sheet = |f: FaceId| domain.map.sheet_of_face[f].index();
+    for f in domain.topology.faces().ids() {
+        let (sum, n) = &mut sums[sheet(f)];
+        *sum += mesh_core::area(placement.triangle(domain, f));
+        *n += 1;
+    }
+    domain.topology.faces().ids().map(|f| sums[sheet(f)]).map(|(sum, n)| sum / n as f64).collect()
+}
+
+/// For every face the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.
+fn local_areas(domain: &Domain, placement: &Placement) -> IdVec<FaceId, f64> {
+    let around = |f: FaceId| domain.topology.face(f).into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face);
+    let mean = |f: FaceId| {
+        let (sum, n) = around(f).fold((0.0, 0), |(sum, n), g| (sum + mesh_core::area(placement.triangle(domain, g)), n + 1));
+        sum / f64::from(n)
+    };
+    domain.topology.faces().ids().map(mean).collect()
+}

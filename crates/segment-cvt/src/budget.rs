@@ -1,0 +1,111 @@
+//! How many sites every arc and patch gets (eqs. 3 and 4, corrected).
+//!
+//! The paper's eq. 4 counts a corner once for every arc that ends there, and its absolute value gives *more* inner sites the more
+//! the arcs overrun the request. Here: corners once, `k - 1` sites inside an arc of `k` segments, and in a disk patch with `b`
+//! border sites `i = max(0, (T - b + 2) / 2)` with `T = integral dA / (sqrt(3)/4 h^2)` equilateral triangles of edge length `h`.
+
+use crate::SizingField;
+use mesh_core::{IdVec, TriMesh};
+use region_map::{CellArcId, Cells, PatchId};
+
+/// Segments of every arc and inner sites of every patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Budget {
+    /// Edge length that the budget was made for, in the units of the mesh, before the sizing field.
+    pub edge_length: f64,
+    /// Segments of every arc.
+    pub segments: IdVec<CellArcId, usize>,
+    /// Inner sites of every patch.
+    pub inner: IdVec<PatchId, usize>,
+    /// Base vertices in all.
+    pub total: usize,
+    /// What the topology needs at least: no arc can have fewer segments, and no patch an inner site.
+    pub needed: usize,
+}
+
+/// Steps of the bisection: the edge length is then known to 1e-12 of its first bracket.
+const BISECTIONS: usize = 60;
+
+/// Area of an equilateral triangle of edge length 1.
+const UNIT_TRIANGLE: f64 = 0.433_012_701_892_219_3;
+
+/// Finds the edge length whose total is the request, and hands out the last few sites by largest remainder.
+pub(crate) fn budget(mesh: &TriMesh, cells: &Cells, sizing: &SizingField, wanted: usize) -> Budget {
+    let demand = Demand::measure(mesh, cells, sizing);
+    let needed = demand.at(f64::INFINITY).total;
+    // eq. 3, the edge length of `wanted` vertices without sizing field.
+    let guess = (2.0 * mesh.total_area() / (3f64.sqrt() * wanted.max(1) as f64)).sqrt();
+    let (mut short, mut long) = (guess * 1e-3, guess * 1e3);
+    for _ in 0..BISECTIONS {
+        let middle = (short * long).sqrt();
+        *(if demand.at(middle).total > wanted { &mut short } else { &mut long }) = middle;
+    }
+    let mut budget = demand.at(long);
+    budget.needed = needed;
+    demand.hand_out(&mut budget, wanted);
+    budget
+}
+
+/// What arcs and patches ask for at edge length 1.
+struct Demand {
+    corners: usize,
+    /// `integral ds / h` and least number of segments of every arc.
+    arcs: IdVec<CellArcId, (f64, usize)>,
+    /// `integral dA / (sqrt(3)/4 h^2)` of every patch.
+    patches: IdVec<PatchId, f64>,
+    borders: IdVec<PatchId, Vec<CellArcId>>,
+}
+
+impl Demand {
+    fn measure(mesh: &TriMesh, cells: &Cells, sizing: &SizingField) -> Self {
+        let minima = cells.least_segments();
+        let arcs = cells.arcs.enumerate().map(|(id, arc)| {
+            let spans = arc.lengths.windows(2).zip(arc.vertices.windows(2));
+            let integral =
+                spans.map(|(l, v)| (l[1] - l[0]) / sizing.relative(mesh.position(v[0]).midpoint(mesh.position(v[1])))).sum();
+            (integral, minima[id])
+        });
+        let patches = cells.patches.iter().map(|patch| {
+            patch.faces.iter().map(|&f| mesh.area(f) / (UNIT_TRIANGLE * sizing.relative(mesh.centroid(f)).powi(2))).sum()
+        });
+        Self {
+            corners: cells.corners.len(),
+            arcs: arcs.collect(),
+            patches: patches.collect(),
+            borders: cells.patches.iter().map(|p| p.border.iter().map(|b| b.0).collect()).collect(),
+        }
+    }
+
+    /// The budget at an edge length; an infinite one gives the least.
+    fn at(&self, edge_length: f64) -> Budget {
+        let segments: IdVec<CellArcId, usize> =
+            self.arcs.iter().map(|&(integral, least)| ((integral / edge_length).round() as usize).max(least)).collect();
+        let mut budget = Budget { edge_length, segments, inner: IdVec::new(), total: 0, needed: 0 };
+        budget.inner = self.patches.ids().map(|p| self.exact_inner(&budget, p).round().max(0.0) as usize).collect();
+        budget.total = self.total(&budget);
+        budget
+    }
+
+    /// Inner sites of a patch before rounding; may be negative.
+    fn exact_inner(&self, budget: &Budget, p: PatchId) -> f64 {
+        let border: usize = self.borders[p].iter().map(|&a| budget.segments[a]).sum();
+        let triangles = self.patches[p] / budget.edge_length.powi(2);
+        0.5 * (triangles - border as f64 + 2.0)
+    }
+
+    fn total(&self, budget: &Budget) -> usize {
+        self.corners + budget.segments.iter().map(|k| k - 1).sum::<usize>() + budget.inner.iter().sum::<usize>()
+    }
+
+    /// Gives what is missing to the patches that rounding took most from.
+    fn hand_out(&self, budget: &mut Budget, wanted: usize) {
+        let mut by_remainder: Vec<(f64, PatchId)> =
+            self.patches.ids().map(|p| (budget.inner[p] as f64 - self.exact_inner(budget, p), p)).collect();
+        by_remainder.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let missing = wanted.saturating_sub(budget.total);
+        for (_, p) in by_remainder.into_iter().take(missing) {
+            budget.inner[p] += 1;
+        }
+        budget.total = self.total(budget);
+    }
+}

@@ -1,0 +1,54 @@
+//! Points spread evenly over a patch by area: what the Voronoi cells are made of.
+//!
+//! The paper clusters the input's vertices, so its cells follow the scanner; and a plane of two triangles has no vertex to give.
+//! Points by area do neither.
+
+use crate::SizingField;
+use glam::{DVec2, DVec3};
+use mesh_core::{FaceId, SurfacePoint, TriMesh};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+/// A point that a site may sit at, with its weight.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate {
+    pub(crate) point: SurfacePoint,
+    pub(crate) position: DVec3,
+    /// `h^-4`: sites of a centroidal Voronoi tessellation in the plane have the density of the root of this.
+    pub(crate) weight: f64,
+}
+
+/// The generators of the R2 sequence (powers of the inverse plastic number): well spread in the unit square.
+const R2: DVec2 = DVec2::new(0.754_877_666_246_692_8, 0.569_840_290_998_053_2);
+
+/// `n` points, one in each of `n` parts of equal area along the faces in order.
+pub(crate) fn spread(mesh: &TriMesh, faces: &[FaceId], sizing: &SizingField, n: usize, seed: u64) -> Vec<Candidate> {
+    let areas: Vec<f64> = faces.iter().map(|&f| mesh.area(f)).collect();
+    let step = areas.iter().sum::<f64>() / n as f64;
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut shift = DVec2::new(unit(&mut random), unit(&mut random));
+    let mut candidates = Vec::with_capacity(n);
+    let mut next = 0.5 * step;
+    let mut before = 0.0;
+    for (&face, area) in faces.iter().zip(areas) {
+        while next <= before + area && candidates.len() < n && area > 0.0 {
+            shift = (shift + R2).fract();
+            candidates.push(candidate(mesh, face, shift, sizing));
+            next += step;
+        }
+        before += area;
+    }
+    candidates
+}
+
+fn unit(random: &mut impl Rng) -> f64 {
+    random.random::<f64>()
+}
+
+/// The unit square onto a face, evenly.
+fn candidate(mesh: &TriMesh, face: FaceId, at: DVec2, sizing: &SizingField) -> Candidate {
+    let s = at.x.sqrt();
+    let point = SurfacePoint::new(face, DVec3::new(1.0 - s, s * (1.0 - at.y), s * at.y));
+    let position = point.position(mesh);
+    Candidate { point, position, weight: sizing.relative(position).powi(-4) }
+}

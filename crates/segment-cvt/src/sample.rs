@@ -1,0 +1,91 @@
+//! The stage: budget, sites on arcs, sites in patches.
+
+use crate::{Budget, CvtOptions, SizingField, budget, candidates, lloyd};
+use glam::DVec3;
+use mesh_core::{Id, IdVec, SurfacePoint, TriMesh};
+use rayon::prelude::*;
+use region_map::{CellArc, CellArcId, CellPatch, Cells, PatchId, Sites};
+
+/// Sites, and the budget that they were made by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampled {
+    /// The sites.
+    pub sites: Sites,
+    /// How many of each, and the edge length.
+    pub budget: Budget,
+}
+
+/// Why there are no sites.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CvtError {
+    /// The mesh has no area.
+    #[error("the surface has no area to sample: all its triangles are degenerate")]
+    NoArea,
+}
+
+/// Candidates for every inner site: with these, cells are known to about a tenth of their size.
+const CANDIDATES_PER_SITE: usize = 100;
+
+/// Chooses the sites of the base mesh: all corners, points on arcs at even steps of the sizing field, and relaxed points in patches.
+///
+/// Patches are independent: the same seed gives the same sites on any number of threads.
+pub fn sample(mesh: &TriMesh, cells: &Cells, sizing: &SizingField, options: &CvtOptions) -> Result<Sampled, CvtError> {
+    if mesh.total_area() <= 0.0 {
+        return Err(CvtError::NoArea);
+    }
+    let budget = budget::budget(mesh, cells, sizing, options.base_vertices);
+    let on_arcs: IdVec<CellArcId, Vec<f64>> =
+        cells.arcs.enumerate().map(|(id, arc)| even_steps(mesh, arc, sizing, budget.segments[id])).collect();
+    let in_patches: Vec<Vec<SurfacePoint>> = cells
+        .patches
+        .as_slice()
+        .par_iter()
+        .enumerate()
+        .map(|(i, patch)| in_patch(mesh, cells, patch, &on_arcs, sizing, budget.inner[PatchId::new(i)], options))
+        .collect();
+    Ok(Sampled { sites: Sites { on_arcs, in_patches: IdVec::from_vec(in_patches) }, budget })
+}
+
+/// Arc lengths that cut an arc into `k` parts of equal `integral ds / h`.
+fn even_steps(mesh: &TriMesh, arc: &CellArc, sizing: &SizingField, k: usize) -> Vec<f64> {
+    // The integral up to every vertex; the field is taken as constant along an edge.
+    let mut measure = vec![0.0];
+    for (l, v) in arc.lengths.windows(2).zip(arc.vertices.windows(2)) {
+        let h = sizing.relative(mesh.position(v[0]).midpoint(mesh.position(v[1])));
+        measure.push(measure[measure.len() - 1] + (l[1] - l[0]) / h);
+    }
+    let total = measure[measure.len() - 1];
+    (1..k)
+        .map(|i| {
+            let wanted = total * i as f64 / k as f64;
+            let e = measure.partition_point(|&m| m <= wanted).clamp(1, measure.len() - 1);
+            let part = measure[e] - measure[e - 1];
+            let s = if part > 0.0 { (wanted - measure[e - 1]) / part } else { 0.5 };
+            arc.lengths[e - 1] + s * (arc.lengths[e] - arc.lengths[e - 1])
+        })
+        .collect()
+}
+
+fn in_patch(
+    mesh: &TriMesh,
+    cells: &Cells,
+    patch: &CellPatch,
+    on_arcs: &IdVec<CellArcId, Vec<f64>>,
+    sizing: &SizingField,
+    n: usize,
+    options: &CvtOptions,
+) -> Vec<SurfacePoint> {
+    if n == 0 {
+        return Vec::new();
+    }
+    let border: Vec<DVec3> = patch
+        .border
+        .iter()
+        .flat_map(|&(id, _)| {
+            let arc = &cells.arcs[id];
+            on_arcs[id].iter().copied().chain([0.0]).chain([arc.length()]).map(|t| arc.position(mesh, t))
+        })
+        .collect();
+    let candidates = candidates::spread(mesh, &patch.faces, sizing, CANDIDATES_PER_SITE * (n + border.len() / 4), options.seed);
+    lloyd::relaxed_sites(&candidates, &border, n, options.max_steps)
+}

@@ -1,0 +1,25 @@
+//! What the stage knows of the working mesh, measured once.
+
+use glam::DVec3;
+use mesh_core::{FaceId, IdVec, Topology, TriMesh};
+use region_map::Network;
+
+/// The working mesh with normals, areas and centroids of its faces.
+pub(crate) struct Surface<'a> {
+    pub(crate) mesh: &'a TriMesh,
+    pub(crate) topology: &'a Topology,
+    pub(crate) network: &'a Network,
+    pub(crate) normals: IdVec<FaceId, DVec3>,
+    pub(crate) areas: IdVec<FaceId, f64>,
+    pub(crate) centroids: IdVec<FaceId, DVec3>,
+    pub(crate) total_area: f64,
+}
+
+impl<'a> Surface<'a> {
+    pub(crate) fn new(mesh: &'a TriMesh, topology: &'a Topology, network: &'a Network) -> Self {
+        let areas = mesh.areas();
+        let total_area = areas.iter().sum();
+        let centroids = mesh.faces().ids().map(|f| mesh.centroid(f)).collect();
+        Self { mesh, topology, network, normals: mesh.normals(), areas, centroids, total_area }
+    }
+}

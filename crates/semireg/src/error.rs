@@ -1,0 +1,36 @@
+//! Why there is no result: the stage that failed, and its own error.
+
+/// The error of a stage. Every message says what is wrong, where, and what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// Nothing is left after cleaning.
+    #[error(transparent)]
+    Clean(#[from] mesh_core::CleanError),
+    /// Feature options don't fit.
+    #[error(transparent)]
+    Features(#[from] features::FeatureError),
+    /// Segmentation failed.
+    #[error(transparent)]
+    Segment(#[from] segment_vsa::VsaError),
+    /// The segmentation is not a complex of disks: a bug of ours.
+    #[error("internal error in the segmentation: {0}; please report this with the input file")]
+    Cells(#[from] region_map::CellError),
+    /// Sampling failed.
+    #[error(transparent)]
+    Sample(#[from] segment_cvt::CvtError),
+    /// No base mesh.
+    #[error(transparent)]
+    Base(#[from] basemesh::BaseError),
+    /// Subdivision failed.
+    #[error(transparent)]
+    Subdivide(#[from] subdiv::SubdivError),
+    /// Projection failed.
+    #[error(transparent)]
+    Project(#[from] project::ProjectError),
+    /// Relaxation failed.
+    #[error(transparent)]
+    Relax(#[from] relax::RelaxError),
+    /// The finished mesh did not pass the certificate.
+    #[error("the result is not certified: {0}; ask for more base vertices (--base-vertices) or fewer levels")]
+    NotCertified(String),
+}

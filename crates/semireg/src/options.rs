@@ -1,0 +1,44 @@
+//! What a user may choose.
+
+use mesh_core::CleanOptions;
+
+/// Options of the whole pipeline. Everything has a default that works.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Wanted number of base vertices; `None` takes 1.6 % of the cleaned input's, between 100 and 2000 (design, section 5).
+    pub base_vertices: Option<usize>,
+    /// How often every base face is split in four, 0 to 8. Default 3.
+    pub levels: u32,
+    /// Seed of all that is chosen at random. Default 0.
+    pub seed: u64,
+    /// Cleaning.
+    pub clean: CleanOptions,
+    /// Creases and corners; its base edge length is set by the pipeline.
+    pub features: features::FeatureOptions,
+    /// Relaxation and shape optimisation.
+    pub relax: relax::RelaxOptions,
+    /// Projection.
+    pub project: project::ProjectOptions,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            base_vertices: None,
+            levels: 3,
+            seed: 0,
+            clean: CleanOptions::default(),
+            features: features::FeatureOptions::default(),
+            relax: relax::RelaxOptions::default(),
+            project: project::ProjectOptions::default(),
+        }
+    }
+}
+
+impl Options {
+    /// The number of base vertices to ask for, given the number of input vertices.
+    pub(crate) fn wanted_base_vertices(&self, input_vertices: usize) -> usize {
+        const SHARE: f64 = 0.016;
+        self.base_vertices.unwrap_or(((SHARE * input_vertices as f64) as usize).clamp(100, 2000))
+    }
+}

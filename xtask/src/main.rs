@@ -1,0 +1,47 @@
+//! Chores of the workspace, run as `cargo xtask <chore>`.
+
+mod ci;
+mod process;
+mod regress;
+mod tidy;
+
+use clap::{Parser, Subcommand};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(name = "cargo xtask", about = "Chores of the workspace")]
+struct Args {
+    #[command(subcommand)]
+    chore: Chore,
+}
+
+#[derive(Subcommand)]
+enum Chore {
+    /// Everything that must be green: format, lints, tests, docs, tidy, regress
+    Ci,
+    /// Check what the compiler cannot: who depends on whom, licences, module docs, file sizes, paths
+    Tidy,
+    /// Remesh the fixtures and compare with the stored figures and with libigl
+    Regress(regress::Args),
+}
+
+fn main() -> ExitCode {
+    let done = match Args::parse().chore {
+        Chore::Ci => ci::run(),
+        Chore::Tidy => tidy::run(),
+        Chore::Regress(args) => regress::run(&args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("error: {e:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The folder of the workspace.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}

@@ -1,0 +1,103 @@
+//! Remeshes the fixtures, and a folder of models when there is one, with the release binary.
+//!
+//! Every fixture's figures are compared with those in `fixtures/expected.json`, and our distances with libigl's. Models have no
+//! stored figures: there a refusal is fine, while a panic, a hang or a result that does not check is not.
+
+mod expected;
+mod oracle;
+mod remesher;
+
+use crate::process::{cargo, must, output};
+use crate::root;
+use anyhow::{Context, Result, bail};
+use expected::Expected;
+use remesher::{Outcome, Remesher, Request};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+#[derive(clap::Args, Default)]
+pub(crate) struct Args {
+    /// A folder of models to run too, with the table of their figures
+    #[arg(long, env = "SEMIREG_MODELS")]
+    models: Option<PathBuf>,
+    /// Take today's figures of the fixtures as the expected ones
+    #[arg(long)]
+    update: bool,
+}
+
+/// Time after which a run counts as a hang.
+const LIMIT: Duration = Duration::from_secs(300);
+
+/// Runs fixtures and models; fails when anything is worse than it should be.
+pub(crate) fn run(args: &Args) -> Result<()> {
+    let target = target_directory()?;
+    must(&mut cargo(&["build", "--release", "-p", "cli"]))?;
+    let remesher = Remesher::new(&target.join("release/semireg"), &target.join("regress"), LIMIT)?;
+    let mut problems = fixtures(&remesher, &target, args.update)?;
+    match args.models.clone().or_else(|| std::env::var_os("SEMIREG_MODELS").map(PathBuf::from)) {
+        Some(folder) => problems.extend(models(&remesher, &folder)?),
+        None => println!("no folder of models: give --models DIR or set SEMIREG_MODELS to run one"),
+    }
+    for problem in &problems {
+        eprintln!("worse: {problem}");
+    }
+    match problems.len() {
+        0 => Ok(()),
+        n => bail!("{n} figures are worse than they should be; where that is meant, run with --update"),
+    }
+}
+
+/// The folder that cargo builds into.
+fn target_directory() -> Result<PathBuf> {
+    let text = output(&mut cargo(&["metadata", "--format-version", "1", "--locked", "--no-deps"]))?;
+    let metadata: Value = serde_json::from_str(&text)?;
+    metadata["target_directory"].as_str().map(PathBuf::from).context("cargo metadata names no target directory")
+}
+
+fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<String>> {
+    let data = root().join("fixtures/data");
+    let mut expected = Expected::load(&root().join("fixtures/expected.json"), &files(&data)?)?;
+    let mut problems = Vec::new();
+    let mut pairs = Vec::new();
+    println!("{}", remesher::HEADER);
+    for (file, entry) in &mut expected.fixtures {
+        let input = data.join(file);
+        let request = Request { input: &input, base_vertices: Some(entry.base_vertices), levels: entry.levels };
+        let outcome = remesher.run(&request)?;
+        println!("{}", outcome.row(file));
+        problems.extend(outcome.fault().map(|fault| format!("{file}: {fault}")));
+        match update {
+            true => entry.take(&outcome),
+            false => problems.extend(entry.compare(&outcome).into_iter().map(|p| format!("{file}: {p}"))),
+        }
+        if let Outcome::Remeshed { output, report, .. } = outcome {
+            pairs.push(oracle::Pair { name: file.clone(), input, output, report });
+        }
+    }
+    if update {
+        expected.save()?;
+    }
+    problems.extend(oracle::check(&pairs, target)?);
+    Ok(problems)
+}
+
+fn models(remesher: &Remesher, folder: &Path) -> Result<Vec<String>> {
+    let mut problems = Vec::new();
+    println!("\n{}", remesher::HEADER);
+    for file in files(folder)? {
+        let outcome = remesher.run(&Request { input: &folder.join(&file), base_vertices: None, levels: 3 })?;
+        println!("{}", outcome.row(&file));
+        problems.extend(outcome.fault().map(|fault| format!("{file}: {fault}")));
+    }
+    Ok(problems)
+}
+
+/// Names of the mesh files in a folder, sorted.
+fn files(folder: &Path) -> Result<Vec<String>> {
+    let entries = std::fs::read_dir(folder).with_context(|| format!("cannot list {}", folder.display()))?;
+    let mut names = entries.map(|e| Ok(e?.file_name().to_string_lossy().into_owned())).collect::<Result<Vec<_>>>()?;
+    names.retain(|name| [".obj", ".ply", ".stl", ".off", ".gltf", ".glb"].iter().any(|end| name.to_lowercase().ends_with(end)));
+    names.sort();
+    Ok(names)
+}

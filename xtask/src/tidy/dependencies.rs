@@ -1,0 +1,100 @@
+//! Who may depend on whom (ARCHITECTURE.md). Dev-dependencies may cross, but for those of benches.
+
+use super::{packages, text};
+use serde_json::Value;
+
+/// For every crate of the workspace the others that it may see. The stages (features, segment-vsa, segment-cvt, basemesh, subdiv,
+/// project, relax) never see each other: what passes between them is in region-map.
+const MAY_SEE: &[(&str, &[&str])] = &[
+    ("mesh-core", &[]),
+    ("mesh-io", &["mesh-core"]),
+    ("region-map", &["mesh-core"]),
+    ("features", &["mesh-core", "region-map"]),
+    ("segment-vsa", &["mesh-core", "region-map"]),
+    ("segment-cvt", &["mesh-core", "region-map"]),
+    ("basemesh", &["mesh-core", "region-map"]),
+    ("subdiv", &["mesh-core", "region-map"]),
+    ("project", &["mesh-core", "region-map"]),
+    ("relax", &["mesh-core", "region-map"]),
+    ("certify", &["mesh-core"]),
+    ("view", &["mesh-core", "region-map"]),
+    (
+        "semireg",
+        &[
+            "mesh-core", "region-map", "features", "segment-vsa", "segment-cvt", "basemesh", "subdiv", "project", "relax", "certify",
+        ],
+    ),
+    ("cli", &["mesh-core", "mesh-io", "region-map", "features", "certify", "view", "semireg"]),
+    ("fixtures", &["mesh-core"]),
+    ("xtask", &[]),
+];
+
+/// Foreign crates that only some of ours may use, in any role.
+const ONLY_IN: &[(&str, &[&str])] = &[
+    ("obvhs", &["mesh-core"]),
+    ("spade", &["basemesh"]),
+    ("gltf", &["mesh-io"]),
+    ("gltf-json", &["mesh-io"]),
+    ("ply-rs-bw", &["mesh-io"]),
+    ("stl_io", &["mesh-io"]),
+    ("tobj", &["mesh-io"]),
+    ("png", &["view"]),
+    ("anyhow", &["cli", "xtask"]),
+    ("clap", &["cli", "xtask"]),
+    ("serde", &["cli", "xtask"]),
+    ("serde_json", &["cli", "xtask"]),
+    ("criterion", &["semireg"]),
+];
+
+/// Every dependency that the tables do not allow, and every crate without a row.
+pub(super) fn check(metadata: &Value) -> Vec<String> {
+    let mut problems = Vec::new();
+    for package in packages(metadata, true) {
+        let name = text(package, "name");
+        let Some((_, may_see)) = MAY_SEE.iter().find(|(n, _)| *n == name) else {
+            problems.push(format!("crate {name} has no row in the dependency table ({})", file!()));
+            continue;
+        };
+        for dependency in package["dependencies"].as_array().into_iter().flatten() {
+            let wanted = text(dependency, "name");
+            let ours = MAY_SEE.iter().any(|(n, _)| *n == wanted);
+            let only_in = ONLY_IN.iter().find(|(n, _)| *n == wanted);
+            if ours && dependency["kind"].is_null() && !may_see.contains(&wanted) {
+                problems.push(format!("{name} must not depend on {wanted}"));
+            }
+            if only_in.is_some_and(|(_, crates)| !crates.contains(&name)) {
+                problems.push(format!("{name} must not use {wanted}: it belongs to {}", only_in.map_or("", |(_, c)| c[0])));
+            }
+        }
+    }
+    problems
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn problems(name: &str, dependency: Value) -> Vec<String> {
+        let package = json!({ "id": "x", "name": name, "dependencies": [dependency] });
+        check(&json!({ "workspace_members": ["x"], "packages": [package] }))
+    }
+
+    #[test]
+    fn stages_do_not_see_each_other() {
+        assert_eq!(problems("project", json!({ "name": "subdiv", "kind": null })), ["project must not depend on subdiv"]);
+        assert!(problems("project", json!({ "name": "region-map", "kind": null })).is_empty());
+        assert!(problems("project", json!({ "name": "subdiv", "kind": "dev" })).is_empty());
+    }
+
+    #[test]
+    fn foreign_crates_stay_where_they_belong() {
+        assert_eq!(problems("relax", json!({ "name": "obvhs", "kind": null })).len(), 1);
+        assert!(problems("mesh-core", json!({ "name": "obvhs", "kind": null })).is_empty());
+    }
+
+    #[test]
+    fn an_unknown_crate_is_told() {
+        assert_eq!(problems("stray", json!({ "name": "glam", "kind": null })).len(), 1);
+    }
+}
