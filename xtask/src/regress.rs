@@ -18,8 +18,8 @@ use std::time::Duration;
 
 #[derive(clap::Args, Default)]
 pub(crate) struct Args {
-    /// A folder of models to run too, with the table of their figures
-    #[arg(long, env = "SEMIREG_MODELS")]
+    /// A folder of models to run too, with the table of their figures [default: the environment's SEMIREG_MODELS]
+    #[arg(long)]
     models: Option<PathBuf>,
     /// Take today's figures of the fixtures as the expected ones
     #[arg(long)]

@@ -41,11 +41,15 @@ pub fn build(
     options: &BaseOptions,
 ) -> Result<BaseMesh, BaseError> {
     let vertices = Vertices::collect(topology, network, cells, sites)?;
-    let flat: Vec<(Chart, Vec<FlatFace>)> = (0..cells.patches.len())
+    let flat: Vec<Option<(Chart, Vec<FlatFace>)>> = (0..cells.patches.len())
         .into_par_iter()
         .map(|p| triangulate_patch(mesh, cells, sites, &vertices, PatchId::new(p)))
-        .collect::<Result<_, _>>()?;
-    let (charts, faces): (Vec<_>, Vec<_>) = flat.into_iter().unzip();
+        .collect();
+    let uncharted: Vec<PatchId> = (0..flat.len()).filter(|&p| flat[p].is_none()).map(PatchId::new).collect();
+    if !uncharted.is_empty() {
+        return Err(BaseError::Uncharted(uncharted));
+    }
+    let (charts, faces): (Vec<_>, Vec<_>) = flat.into_iter().flatten().unzip();
     let charts: IdVec<PatchId, Chart> = IdVec::from_vec(charts);
     let arc_edges: FxHashSet<[VertexId; 2]> =
         cells.arcs.ids().flat_map(|a| vertices.edges_along(cells, a)).map(|(ends, _)| ends).collect();
@@ -148,14 +152,14 @@ fn on_network_arc(network: &Network, arc: &CellArc, span: ArcSpan, t: f64) -> At
     Attachment::Arc { arc: span.arc, t: network.arcs[span.arc].normalise(t) }
 }
 
-/// Charts one patch and triangulates its sites there.
+/// Charts one patch and triangulates its sites there; `None` where one of the two fails.
 fn triangulate_patch(
     mesh: &TriMesh,
     cells: &Cells,
     sites: &Sites,
     vertices: &Vertices,
     p: PatchId,
-) -> Result<(Chart, Vec<FlatFace>), BaseError> {
+) -> Option<(Chart, Vec<FlatFace>)> {
     let PatchChart { chart, border } = chart(mesh, cells, p, &vertices.on_arcs, Vertices::corner)?;
     let (mut ids, mut uv): (Vec<VertexId>, Vec<DVec2>) = border.iter().copied().unzip();
     let corners = uv.len();
@@ -164,9 +168,9 @@ fn triangulate_patch(
         ids.push(VertexId::new(vertices.in_patches[p] + i));
         uv.push(at);
     }
-    let triangles = triangulate(&uv, corners).ok_or(BaseError::NotTriangulated(p))?;
+    let triangles = triangulate(&uv, corners)?;
     let face = |t: [usize; 3]| FlatFace { vertices: t.map(|i| ids[i]), uv: t.map(|i| uv[i]) };
-    Ok((chart, triangles.into_iter().map(face).collect()))
+    Some((chart, triangles.into_iter().map(face).collect()))
 }
 
 /// One mesh, region map and base map of all patches.

@@ -5,7 +5,7 @@
 use crate::BaseError;
 use crate::layout::{are_unfolded, full_star, half_star, quad};
 use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, Network, RegionMap, SheetId};
 
 /// A base face.
@@ -98,9 +98,9 @@ impl<'a> Editor<'a> {
     pub(crate) fn attachment(&self, v: VertexId) -> Attachment {
         self.region.attachments[v]
     }
-    /// The surface point of a vertex.
-    pub(crate) fn point(&self, v: VertexId) -> SurfacePoint {
-        self.region.points[v]
+    /// Area of the working mesh.
+    pub(crate) fn surface_area(&self) -> f64 {
+        self.mesh.total_area()
     }
     /// The part of an arc that an edge lies on.
     pub(crate) fn span(&self, a: VertexId, b: VertexId) -> Option<ArcSpan> {

@@ -1,79 +1,130 @@
 //! Better connectivity for the base mesh, by edits that the base map records.
+//!
+//! Isotropic remeshing (Botsch and Kobbelt, *A remeshing approach to multiresolution modeling*, 2004) in the map: split long edges,
+//! collapse short ones, flip, move vertices to the middle of their neighbours. What the patches of the segmentation left in the base
+//! mesh (rows of vertices along smooth arcs, thin patches without an inner vertex) is gone after a few rounds. Then single splits and
+//! collapses meet the wanted number of vertices.
 
 use crate::BaseOptions;
 use crate::editor::Editor;
-use glam::DVec3;
+use crate::shape::{collapsed_shape, flip_gain, spread};
 use mesh_core::VertexId;
-use region_map::Attachment;
 
-/// Brings the number of vertices to the request and the triangles nearer to equilateral.
-pub(crate) fn improve(editor: &mut Editor<'_>, options: &BaseOptions) {
-    for _ in 0..options.rounds {
-        let flips = flip_edges(editor);
-        if flips == 0 {
-            break;
-        }
-    }
-}
-
-/// One pass of flips over all edges; returns how many were made.
-fn flip_edges(editor: &mut Editor<'_>) -> usize {
-    let mut flips = 0;
-    for [a, b] in editor.edges() {
-        if editor.is_edge(a, b) && flip_gain(editor, a, b) > LEAST_GAIN && editor.flip(a, b) {
-            flips += 1;
-        }
-    }
-    flips
-}
-
+/// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
+/// neither makes work for the other).
+const LONG: f64 = 4.0 / 3.0;
+/// See [`LONG`].
+const SHORT: f64 = 4.0 / 5.0;
+/// Moves of all vertices in a round.
+const MOVES: usize = 2;
+/// Quality (AR) that a collapse must leave, unless it was worse before.
+const LEAST_QUALITY: f64 = 0.25;
 /// Flips must gain this much, or rounding could make them cycle.
 const LEAST_GAIN: f64 = 1e-6;
-/// Cost of one edge too many or too few at a vertex, in units of the shape cost of a triangle.
-const VALENCE_COST: f64 = 0.12;
+/// Passes of flips after a round; most need two or three.
+const FLIP_PASSES: usize = 6;
 
-/// What the cost falls by when the edge is flipped; negative infinity where it can't be.
-fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
-    let [Some(c), Some(d)] = editor.opposite(a, b) else { return f64::NEG_INFINITY };
-    if editor.span(a, b).is_some() || c == d || editor.is_edge(c, d) || editor.valence(a) <= 3 || editor.valence(b) <= 3 {
-        return f64::NEG_INFINITY;
+/// Brings the number of vertices to the request, as far as corners and arcs allow, and the triangles nearer to equilateral.
+pub(crate) fn improve(editor: &mut Editor<'_>, options: &BaseOptions) {
+    if options.rounds == 0 {
+        return;
     }
-    let p = |v| editor.position(v);
-    let before = pair_cost([p(a), p(b), p(c)], [p(b), p(a), p(d)]);
-    let after = pair_cost([p(a), p(d), p(c)], [p(d), p(b), p(c)]);
-    let valences = |shift: i32| -> f64 {
-        let at = |v: VertexId, shift: i32| (editor.valence(v) as f64 + f64::from(shift) - ideal_valence(editor, v)).powi(2);
-        at(a, -shift) + at(b, -shift) + at(c, shift) + at(d, shift)
-    };
-    before - after + VALENCE_COST * (valences(0) - valences(1))
+    // eq. 3, then adapted: on a curved surface and along creases the count at a length is not known before.
+    let mut length = (2.0 * editor.surface_area() / (3f64.sqrt() * options.base_vertices.max(4) as f64)).sqrt();
+    flip_edges(editor);
+    for _ in 0..options.rounds {
+        split_long(editor, LONG * length);
+        collapse_short(editor, SHORT * length, LONG * length);
+        settle(editor);
+        let ratio = editor.n_vertices() as f64 / options.base_vertices as f64;
+        length *= ratio.sqrt().clamp(0.8, 1.25);
+    }
+    meet_count(editor, options.base_vertices);
 }
 
-/// Inverse mean ratios of two neighbouring triangles, and their fold: 2 for a flat pair of equilateral ones.
-fn pair_cost(s: [DVec3; 3], t: [DVec3; 3]) -> f64 {
-    let fold = 1.0 - mesh_core::normal(s).dot(mesh_core::normal(t));
-    inverse_mean_ratio(s) + inverse_mean_ratio(t) + 2.0 * fold
+/// Flips and moves until neither gains much.
+fn settle(editor: &mut Editor<'_>) {
+    for _ in 0..MOVES {
+        flip_edges(editor);
+        for v in editor.vertices() {
+            editor.relax_vertex(v, |_| 1.0);
+        }
+    }
+    flip_edges(editor);
 }
 
-/// `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, capped so that one needle does not outweigh all.
-fn inverse_mean_ratio([a, b, c]: [DVec3; 3]) -> f64 {
-    let edges = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
-    let ratio = edges / (4.0 * 3f64.sqrt() * mesh_core::area([a, b, c]));
-    if ratio.is_finite() { ratio.min(100.0) } else { 100.0 }
+/// Passes of flips over all edges until none gains.
+fn flip_edges(editor: &mut Editor<'_>) {
+    for _ in 0..FLIP_PASSES {
+        let mut flips = 0;
+        for [a, b] in editor.edges() {
+            if editor.is_edge(a, b) && flip_gain(editor, a, b) > LEAST_GAIN && editor.flip(a, b) {
+                flips += 1;
+            }
+        }
+        if flips == 0 {
+            return;
+        }
+    }
 }
 
-/// The number of edges that divides the angle round a vertex into steps of 60 degrees.
-fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
-    match editor.attachment(v) {
-        Attachment::Sheet(_) => 6.0,
-        _ => {
-            let angle: f64 = editor
-                .faces_at(v)
-                .map(|f| {
-                    let c = f.iter().position(|&w| w == v).unwrap_or(0);
-                    mesh_core::angles(f.map(|w| editor.position(w)))[c]
-                })
-                .sum();
-            angle / 60f64.to_radians() + f64::from(editor.ring(v).is_some_and(|r| !r.closed))
+/// Edges with their lengths, the longest first.
+fn by_length(editor: &Editor<'_>) -> Vec<(f64, [VertexId; 2])> {
+    let mut edges: Vec<_> = editor.edges().into_iter().map(|e| (spread(editor, e), e)).collect();
+    edges.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    edges
+}
+
+fn split_long(editor: &mut Editor<'_>, limit: f64) {
+    for (length, [a, b]) in by_length(editor) {
+        if length > limit && editor.is_edge(a, b) {
+            editor.split(a, b);
+        }
+    }
+}
+
+fn collapse_short(editor: &mut Editor<'_>, limit: f64, longest: f64) {
+    for (length, [a, b]) in by_length(editor).into_iter().rev() {
+        if length < limit && editor.is_edge(a, b) {
+            collapse_edge(editor, a, b, longest);
+        }
+    }
+}
+
+/// Collapses an edge the way that leaves the better triangles, if these are good enough and no edge longer than `longest`.
+fn collapse_edge(editor: &mut Editor<'_>, a: VertexId, b: VertexId, longest: f64) -> bool {
+    let mut ways: Vec<(f64, VertexId, VertexId)> = [(a, b), (b, a)]
+        .into_iter()
+        .filter_map(|(from, to)| {
+            let shape = collapsed_shape(editor, from, to)?;
+            let allowed = shape.longest <= longest && shape.quality >= LEAST_QUALITY.min(shape.quality_before);
+            allowed.then_some((shape.quality, from, to))
+        })
+        .collect();
+    ways.sort_by(|x, y| y.0.total_cmp(&x.0));
+    ways.into_iter().any(|(_, from, to)| editor.collapse(from, to))
+}
+
+/// Splits the longest and collapses the shortest edges until the number of vertices is the one wanted.
+fn meet_count(editor: &mut Editor<'_>, wanted: usize) {
+    while editor.n_vertices() != wanted {
+        let before = editor.n_vertices();
+        if before < wanted {
+            for (_, [a, b]) in by_length(editor).into_iter().take((wanted - before).div_ceil(2)) {
+                if editor.is_edge(a, b) && editor.n_vertices() < wanted {
+                    editor.split(a, b);
+                }
+            }
+        } else {
+            for (_, [a, b]) in by_length(editor).into_iter().rev() {
+                if editor.is_edge(a, b) && editor.n_vertices() > wanted {
+                    collapse_edge(editor, a, b, f64::INFINITY);
+                }
+            }
+        }
+        settle(editor);
+        if editor.n_vertices() == before {
+            return;
         }
     }
 }

@@ -10,6 +10,8 @@ mod improve;
 mod layout;
 mod patch_cdt;
 mod piece_mesh;
+mod polygon;
+mod shape;
 #[cfg(test)]
 mod shapes;
 #[cfg(test)]

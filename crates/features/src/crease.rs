@@ -4,6 +4,10 @@ use crate::FeatureOptions;
 use mesh_core::{EdgeId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
 use region_map::ArcKind;
 
+/// A crease goes on over weak edges that turn by less than 60 degrees, which is what a triangulation without an edge along the
+/// crease needs.
+const MAX_TURN_COSINE: f64 = 0.5;
+
 /// Dihedral angles of all edges, and which of them are creases.
 pub(crate) struct Creases {
     /// Angle between the normals of the two faces, in degrees; 0 on the border and beside a face without area.
@@ -12,22 +16,36 @@ pub(crate) struct Creases {
 }
 
 impl Creases {
-    /// Strong edges, and weak ones that are connected to a strong one by weak ones.
+    /// Strong edges, and weak ones that continue a crease from its loose end.
     pub(crate) fn find(mesh: &TriMesh, topology: &Topology, options: &FeatureOptions) -> Self {
         let angle = dihedral_angles(mesh, topology);
-        let mut is_crease: IdVec<EdgeId, bool> = angle.iter().map(|&a| a >= options.strong_angle).collect();
-        let mut stack: Vec<EdgeId> = topology.edge_ids().filter(|&e| is_crease[e]).collect();
-        while let Some(e) = stack.pop() {
-            for v in topology.ends(e) {
-                for next in edges_at(topology, v) {
-                    if !is_crease[next] && angle[next] >= options.weak_angle {
-                        is_crease[next] = true;
-                        stack.push(next);
-                    }
-                }
+        let is_crease = angle.iter().map(|&a| a >= options.strong_angle).collect();
+        let mut creases = Self { angle, is_crease };
+        let mut ends: Vec<VertexId> = mesh.positions().ids().collect();
+        while let Some(v) = ends.pop() {
+            if let Some(next) = creases.continuation(mesh, topology, v, options.weak_angle) {
+                creases.is_crease[next] = true;
+                ends.extend(topology.ends(next));
             }
         }
-        Self { angle, is_crease }
+        creases
+    }
+
+    /// The weak edge of greatest angle that goes on from a crease with a loose end at `v`. Elsewhere weak edges don't count: on
+    /// the rim of a coarse cylinder, all edges of its side would continue the rim.
+    fn continuation(&self, mesh: &TriMesh, topology: &Topology, v: VertexId, weak_angle: f64) -> Option<EdgeId> {
+        let mut creases = edges_at(topology, v).filter(|&e| self.is_crease[e]);
+        let (Some(end), None) = (creases.next(), creases.next()) else { return None };
+        if topology.is_border_vertex(v) {
+            return None;
+        }
+        let away = |e: EdgeId| {
+            let [a, b] = topology.ends(e);
+            (mesh.position(if a == v { b } else { a }) - mesh.position(v)).normalize_or_zero()
+        };
+        let goes_on = |e: EdgeId| away(e).dot(-away(end)) > MAX_TURN_COSINE;
+        let weak = edges_at(topology, v).filter(|&e| !self.is_crease[e] && self.angle[e] >= weak_angle && goes_on(e));
+        weak.max_by(|&e, &f| self.angle[e].total_cmp(&self.angle[f]).then(f.cmp(&e)))
     }
 
     /// Kinds of all edges: borders and creases.

@@ -11,7 +11,8 @@ use region_map::{ArcKind, Network};
 pub struct FeatureOptions {
     /// An edge with at least this dihedral angle (degrees between the normals of its faces, 0 to 180) is a crease. Default 40.
     pub strong_angle: f64,
-    /// An edge with at least this dihedral angle continues a crease, in degrees; at most `strong_angle`. Default 25.
+    /// An edge with at least this dihedral angle continues a crease from its loose end, in degrees; at most `strong_angle`.
+    /// Default 25.
     pub weak_angle: f64,
     /// Length of an edge of the base mesh, in the units of the mesh: the resolution at which the network is simplified.
     /// 0 keeps every crease. Default 0.

@@ -1,9 +1,12 @@
 //! Triangle meshes as every stage sees them: typed ids, connectivity without positions, measures, cleaning,
 //! closest points and rays, and walks over a surface.
 
+mod clean;
 pub mod exact;
 mod id;
+mod inspect;
 mod measure;
+mod partition;
 mod surface_index;
 mod surface_point;
 mod topology;
@@ -11,7 +14,9 @@ mod tri_mesh;
 mod triangle;
 mod walk;
 
+pub use clean::{CleanError, CleanOptions, CleanReport, Cleaned, clean};
 pub use id::{EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
+pub use inspect::{Inspection, inspect};
 pub use measure::{Bounds, angles, area, aspect_ratio, normal, vector_area};
 pub use surface_index::{Closest, Hit, SurfaceIndex};
 pub use surface_point::SurfacePoint;

@@ -38,7 +38,7 @@ pub struct Walked {
 
 /// Walks straight on from `start`: along `displacement` projected into the plane of the start's face, as far as the projection
 /// is long. A start on an edge or at a vertex belongs to all faces around it that can be reached across edges that may be
-/// crossed; the one in which the inward displacement is longest is taken, if there is one that it does not stand on.
+/// crossed; the way starts in the one in which the displacement leads inwards and is longest.
 ///
 /// At an edge that may not be crossed (a border edge never may) the walk goes on along it with the component that it has in this
 /// direction. `may_cross` is asked for inner edges only.

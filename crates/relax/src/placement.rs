@@ -71,14 +71,13 @@ impl Placement {
         IdVec::from_vec(domain.faces().into_par_iter().map(|f| self.signed_area(domain, f)).collect())
     }
 
-    /// Brings back the vertices of all faces that faced with the surface in `before` and don't here, then those of faces that
-    /// this turns over, until none is left.
-    pub(crate) fn hold_upright(&mut self, domain: &Domain, before: &Self) {
+    /// Brings back the vertices of all faces for which `is_bad` holds here, then those of faces that this makes bad, until none
+    /// is left. A face whose three vertices are back where they were in `before` must not be bad.
+    pub(crate) fn take_back(&mut self, domain: &Domain, before: &Self, is_bad: impl Fn(&Self, FaceId) -> bool + Sync) {
         let mut suspects = domain.faces();
         while !suspects.is_empty() {
-            let turned = |&f: &FaceId| self.signed_area(domain, f) <= 0.0 && before.signed_area(domain, f) > 0.0;
-            let turned: Vec<FaceId> = suspects.into_par_iter().filter(turned).collect();
-            let mut vertices: Vec<VertexId> = turned.into_iter().flat_map(|f| domain.topology.face(f)).collect();
+            let bad: Vec<FaceId> = suspects.into_par_iter().filter(|&f| is_bad(self, f)).collect();
+            let mut vertices: Vec<VertexId> = bad.into_iter().flat_map(|f| domain.topology.face(f)).collect();
             vertices.sort_unstable();
             vertices.dedup();
             for &v in &vertices {
@@ -88,6 +87,11 @@ impl Placement {
             suspects.sort_unstable();
             suspects.dedup();
         }
+    }
+
+    /// Takes back what turned triangles over that faced with the surface in `before`.
+    pub(crate) fn hold_upright(&mut self, domain: &Domain, before: &Self) {
+        self.take_back(domain, before, |now, f| now.signed_area(domain, f) <= 0.0 && before.signed_area(domain, f) > 0.0);
     }
 
     /// The region map and the mesh of these places.

@@ -99,11 +99,6 @@ impl<'a> System<'a> {
         x
     }
 
-    /// The scalar product of the right side with `x`.
-    pub(crate) fn right_dot(&self, x: &[DVec2]) -> f64 {
-        dot(&self.right, x)
-    }
-
     fn times(&self, x: &[DVec2]) -> Vec<DVec2> {
         let Pattern { starts, columns, .. } = self.pattern;
         let row = |v: usize| {

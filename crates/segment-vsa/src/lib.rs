@@ -6,11 +6,14 @@
 mod axes;
 mod disk;
 mod grow;
+mod inflate;
 mod merge;
 mod proxy;
 mod seeds;
 mod segment;
+mod split;
 mod straighten;
 mod surface;
 
 pub use segment::{VsaError, VsaOptions, VsaReport, segment};
+pub use split::split;

@@ -9,9 +9,11 @@ use rustc_hash::FxHashMap;
 use std::f64::consts::PI;
 
 /// A patch with less area than this, in squared base edge lengths, is a sliver: less than one base triangle.
-const SLIVER_AREA: f64 = 0.4;
+pub(crate) const SLIVER_AREA: f64 = 0.4;
 /// A patch narrower than this, in base edge lengths, is a sliver.
 const SLIVER_WIDTH: f64 = 0.3;
+/// Not even a sliver is merged past this spread of normals, in degrees: half of a cylinder has 74.
+const SLIVER_SPREAD: f64 = 80.0;
 /// Weight of the roundness of a union beside the error that it adds (0 to 4): decides where normals don't.
 const ROUNDNESS_WEIGHT: f64 = 0.05;
 
@@ -159,22 +161,23 @@ impl Shapes {
     /// What merging a pair costs, `None` when the rule forbids it. Slivers cost less than nothing, and least where they share most.
     fn cost(&self, pair: &Pair, rule: &MergeRule) -> Option<f64> {
         let [a, b] = pair.patches;
-        let sliver = [a, b].into_iter().filter(|&p| self.is_sliver(p, rule)).map(|p| pair.length / self.perimeters[p]);
-        if let Some(share) = sliver.reduce(f64::max) {
+        let union = self.moments[a].plus(&self.moments[b]);
+        let spread = union.spread();
+        let share = |p: PatchId| self.is_sliver(p, rule).then(|| pair.length / self.perimeters[p]);
+        let share = [a, b].into_iter().filter_map(share).reduce(f64::max).filter(|_| spread <= SLIVER_SPREAD);
+        if let Some(share) = share {
             return Some(-share);
         }
-        let union = self.moments[a].plus(&self.moments[b]);
         let roundness = roundness(union.area, self.perimeters[a] + self.perimeters[b] - 2.0 * pair.length);
         let worst = [a, b].map(|p| roundness_of(self, p)).into_iter().fold(rule.max_roundness, f64::max);
         let added = union.error() - self.moments[a].error() - self.moments[b].error();
-        (union.spread() <= rule.max_spread && roundness <= worst)
-            .then(|| added.max(0.0) / union.area + ROUNDNESS_WEIGHT * roundness)
+        (spread <= rule.max_spread && roundness <= worst).then(|| added.max(0.0) / union.area + ROUNDNESS_WEIGHT * roundness)
     }
 
     fn is_sliver(&self, p: PatchId, rule: &MergeRule) -> bool {
         let area = self.moments[p].area;
-        area < SLIVER_AREA * rule.base_edge_length.powi(2)
-            || 2.0 * area < SLIVER_WIDTH * rule.base_edge_length * self.perimeters[p]
+        let width = 2.0 * area / self.perimeters[p].max(f64::MIN_POSITIVE);
+        area < SLIVER_AREA * rule.base_edge_length.powi(2) || width < SLIVER_WIDTH * rule.base_edge_length
     }
 }
 

@@ -41,7 +41,7 @@ fn box_parts(surface: &Surface, axes: [DVec3; 3], least_area: f64) -> IdVec<Patc
     let mut best: Vec<Option<(f64, FaceId)>> = vec![None; n];
     for (f, &part) in part_of.enumerate() {
         let (area, moment) = parts[part as usize];
-        let normal = if sides[f] % 2 == 0 { axes[sides[f] / 2] } else { -axes[sides[f] / 2] };
+        let normal = if sides[f].is_multiple_of(2) { axes[sides[f] / 2] } else { -axes[sides[f] / 2] };
         let cost = surface.normals[f].distance_squared(normal) + surface.centroids[f].distance_squared(moment / area) / area;
         let best = &mut best[part as usize];
         if area >= least_area && area > 0.0 && best.is_none_or(|(least, _)| cost < least) {

@@ -2,6 +2,7 @@
 
 use crate::disk::{PatchOf, n_patches};
 use crate::grow::grow;
+use crate::inflate::inflate;
 use crate::merge::{MergeRule, merge};
 use crate::proxy::{Metric, Moments, Proxy, refit, worst_faces};
 use crate::seeds::first_proxies;
@@ -21,7 +22,7 @@ const BUDGET_SPREAD: f64 = 75.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct VsaOptions {
     /// Bound on the spread of the normals of a patch: the half angle of the spherical cap with the same mean error, in degrees, above
-    /// 0 and below 90. Default 50.
+    /// 0 and below 90. Default 40.
     pub max_angle: f64,
     /// No patch is added beyond this number but for what the disk rule needs. At least 1. Default 32.
     pub max_patches: usize,
@@ -34,7 +35,7 @@ pub struct VsaOptions {
 
 impl Default for VsaOptions {
     fn default() -> Self {
-        Self { max_angle: 50.0, max_patches: 32, rounds: 10, base_edge_length: 0.0 }
+        Self { max_angle: 40.0, max_patches: 32, rounds: 10, base_edge_length: 0.0 }
     }
 }
 
@@ -92,13 +93,14 @@ pub fn segment(
     report.swaps = straighten(&surface, &mut patch_of);
     report.merged += merge(&surface, &mut patch_of, &within_bound(options));
     report.swaps += straighten(&surface, &mut patch_of);
+    inflate(&surface, &mut patch_of, options.base_edge_length);
     judge(&surface, &patch_of, &mut report);
     let n_patches = n_patches(&patch_of);
     Ok((Segmentation { patch_of_face: patch_of.iter().flatten().copied().collect(), n_patches }, report))
 }
 
 fn check(surface: &Surface, options: &VsaOptions) -> Result<(), VsaError> {
-    if !(surface.total_area > 0.0) {
+    if surface.total_area <= 0.0 {
         return Err(VsaError::NoSurface);
     }
     if !(options.max_angle > 0.0 && options.max_angle < 90.0) {
@@ -137,7 +139,8 @@ fn lloyd(
     grow(surface, metric, &mut proxies)
 }
 
-/// Adds a seed at the worst face of every patch whose normals spread too far, the worst patches first, as far as the budget goes.
+/// Adds a seed at the worst face of every patch whose normals spread too far, the worst patches first, as far as the budget goes, and
+/// beyond it where not even the budget allows such a spread.
 fn insert_seeds(
     surface: &Surface,
     metric: &Metric,
@@ -150,7 +153,8 @@ fn insert_seeds(
     let mut wide: Vec<PatchId> = proxies.ids().filter(|&p| moments[p].spread() > options.max_angle).collect();
     wide.sort_by(|&p, &q| moments[q].error().total_cmp(&moments[p].error()).then(p.cmp(&q)));
     for p in wide {
-        if proxies.len() < options.max_patches && worst[p] != proxies[p].seed {
+        let may_insert = proxies.len() < options.max_patches || moments[p].spread() > BUDGET_SPREAD;
+        if may_insert && worst[p] != proxies[p].seed {
             proxies.push(Proxy::at(surface, worst[p]));
         }
     }

@@ -17,22 +17,25 @@ const MAJORITY: f64 = 1.000_001;
 pub(crate) fn straighten(surface: &Surface, patch_of: &mut PatchOf) -> usize {
     let mut swaps = 0;
     let mut around = Vec::new();
+    let mut active: Vec<FaceId> = surface.topology.faces().ids().collect();
     for _ in 0..PASSES {
-        let before = swaps;
-        for f in surface.topology.faces().ids() {
+        let mut next = Vec::new();
+        for &f in &active {
             if let Some(patch) = better_side(surface, patch_of, f, &mut around) {
                 patch_of[f] = Some(patch);
                 swaps += 1;
+                next.extend_from_slice(&around);
             }
         }
-        if swaps == before {
-            break;
-        }
+        // Only where something has changed can something change again.
+        next.sort_unstable();
+        next.dedup();
+        active = next;
     }
     swaps
 }
 
-/// The patch across one of its edges that `f` should go to. `around` is scratch space.
+/// The patch across one of its edges that `f` should go to. Leaves the faces around `f` in `around` when there is one.
 fn better_side(surface: &Surface, patch_of: &PatchOf, f: FaceId, around: &mut Vec<FaceId>) -> Option<PatchId> {
     let topology = surface.topology;
     let own = patch_of[f];

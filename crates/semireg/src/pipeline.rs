@@ -111,19 +111,12 @@ pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
             Ok(base) => {
                 return Ok(BaseStages { sites: sampled.sites, network, segmentation, cells, base, warnings, seconds, cleaned });
             }
-            // The ladder: a patch that cannot be charted is halved.
-            Err(BaseError::Collapsed(p) | BaseError::NotTriangulated(p)) if cells.patches[p].faces.len() > 1 => {
-                warnings.push(format!("patch {p} could not be charted and was split"));
-                segmentation = split_patch(&segmentation, p);
+            // The ladder: patches that can't be laid flat are cut in two.
+            Err(BaseError::Uncharted(patches)) if patches.iter().any(|&p| cells.patches[p].faces.len() > 1) => {
+                split.extend(&patches);
+                segmentation = segment_vsa::split(mesh, topology, &network, &segmentation, &patches);
             }
             Err(e) => return Err(e.into()),
         }
     }
 }
-
-fn split_patch(_segmentation: &Segmentation, _p: PatchId) -> Segmentation {
-    todo!()
-}
-
-#[allow(dead_code, reason = "until it is used")]
-type _Unused = IdVec<PatchId, ()>;

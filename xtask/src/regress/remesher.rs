@@ -66,7 +66,8 @@ impl Remesher {
         let Ok(report) = serde_json::from_str::<Value>(report) else {
             return Ok(Outcome::Failed { fault: "the report is not JSON".to_owned() });
         };
-        let check = within(self.limit, Command::new(&self.binary).arg("check").arg(&output).args(["--levels", levels]), &self.folder)?;
+        let check =
+            within(self.limit, Command::new(&self.binary).arg("check").arg(&output).args(["--levels", levels]), &self.folder)?;
         let clean = report["flipped"] == 0 && report["degenerate"] == 0;
         Ok(match check.code {
             Some(0) if clean => Outcome::Remeshed { output, report, seconds },

@@ -21,7 +21,16 @@ const MAY_SEE: &[(&str, &[&str])] = &[
     (
         "semireg",
         &[
-            "mesh-core", "region-map", "features", "segment-vsa", "segment-cvt", "basemesh", "subdiv", "project", "relax", "certify",
+            "mesh-core",
+            "region-map",
+            "features",
+            "segment-vsa",
+            "segment-cvt",
+            "basemesh",
+            "subdiv",
+            "project",
+            "relax",
+            "certify",
         ],
     ),
     ("cli", &["mesh-core", "mesh-io", "region-map", "features", "certify", "view", "semireg"]),

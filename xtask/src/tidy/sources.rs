@@ -11,7 +11,8 @@ const MAX_LINES: usize = 500;
 /// Files that are longer, each with the reason.
 const LONGER: &[(&str, &str)] = &[];
 /// Beginnings of absolute paths, in two parts so that this file does not hold them.
-const MACHINE_PATHS: &[[&str; 2]] = &[["/ho", "me/"], ["/ro", "ot/"], ["/tm", "p/"], ["/wor", "k/"], ["/Use", "rs/"], ["../sha", "red"]];
+const MACHINE_PATHS: &[[&str; 2]] =
+    &[["/ho", "me/"], ["/ro", "ot/"], ["/tm", "p/"], ["/wor", "k/"], ["/Use", "rs/"], ["../sha", "red"]];
 /// May name the folder of models beside the project.
 const MAY_NAME_SHARED: &str = ".ci/run";
 /// Library crates that may touch files, and those that may print: the edges of the workspace.

@@ -1,0 +1,104 @@
+//! The command line as the user types it.
+
+use clap::{Parser, Subcommand, value_parser};
+use std::path::PathBuf;
+
+/// Semi-regular remeshing of triangle meshes: few base triangles, split 1-to-4 again and again, with the creases kept.
+#[derive(Parser)]
+#[command(name = "semireg", version)]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// Remesh INPUT and write the certified result to OUTPUT
+    Remesh(RemeshArgs),
+    /// Say what a file holds: counts, topology, defects, features, quality
+    Inspect(InspectArgs),
+    /// Measure how well B stands for A: distance, creases, quality, topology
+    Compare(CompareArgs),
+    /// Check that a file is a sound mesh of so many subdivision levels; exit 1 if not
+    Check(CheckArgs),
+}
+
+#[derive(clap::Args)]
+pub(crate) struct RemeshArgs {
+    /// The mesh to remesh: obj, ply, stl, off, gltf or glb
+    pub(crate) input: PathBuf,
+    /// Where the result goes; the extension says in which format
+    #[arg(short, long)]
+    pub(crate) output: PathBuf,
+    /// Wanted number of base vertices [default: 1.6 % of the input's, between 100 and 2000]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
+    pub(crate) base_vertices: Option<u32>,
+    /// How often every base triangle is split in four
+    #[arg(long, value_name = "L", default_value_t = 3, value_parser = value_parser!(u32).range(0..=8))]
+    pub(crate) levels: u32,
+    /// An edge with at least this angle between its faces, in degrees, is a crease [default: 40]
+    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    pub(crate) crease_angle: Option<f64>,
+    /// Seed of all that is chosen at random
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// Number of threads; the result does not depend on it [default: one for each processor]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Leave a picture (PNG) and a coloured mesh (PLY) of every stage in this folder
+    #[arg(long, value_name = "DIR")]
+    pub(crate) stages: Option<PathBuf>,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct InspectArgs {
+    /// The mesh: obj, ply, stl, off, gltf or glb
+    pub(crate) input: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct CompareArgs {
+    /// The original; lengths are measured by the diagonal of its box
+    pub(crate) a: PathBuf,
+    /// The mesh that stands for it
+    pub(crate) b: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct CheckArgs {
+    /// A mesh in a format that keeps the order of vertices: any but stl
+    pub(crate) file: PathBuf,
+    /// Subdivision levels that it shall have
+    #[arg(long, value_name = "L", default_value_t = 3, value_parser = value_parser!(u32).range(0..=8))]
+    pub(crate) levels: u32,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+fn degrees(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(angle) if angle > 0.0 && angle < 180.0 => Ok(angle),
+        _ => Err("an angle between 0 and 180 degrees is needed".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_definition_is_sound() {
+        Args::command().debug_assert();
+    }
+}

@@ -1,0 +1,70 @@
+//! `semireg check FILE --levels n`: is it what we promise of a result?
+
+use crate::args::CheckArgs;
+use crate::figures::{Counts, Shape};
+use crate::load;
+use crate::print::{self, Table};
+use anyhow::bail;
+use certify::{Certificate, MeasureOptions};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Checked {
+    file: String,
+    passed: bool,
+    failures: Vec<String>,
+    /// Vertices and faces of every level, the base first.
+    levels: Vec<[usize; 2]>,
+    topology: Counts,
+    #[serde(flatten)]
+    shape: Shape,
+}
+
+/// Checks the file by itself: subdivision connectivity, counts, manifold, orientation, degenerate triangles.
+pub(crate) fn run(args: &CheckArgs) -> anyhow::Result<()> {
+    let file = args.file.display().to_string();
+    let raw = load::raw(&args.file)?;
+    // Certified against itself: what is left is what the mesh says of itself, at the price of a distance that is 0.
+    let certificate = certify::certify(&raw.mesh, &raw.mesh, args.levels, &MeasureOptions { samples: 1 })
+        .map_err(|e| anyhow::anyhow!("cannot check {file}: {e}; give a file with a surface"))?;
+    let checked = report(file, raw.left_out, &certificate);
+    if args.json {
+        print::json(&checked)?;
+    } else {
+        table(&checked).print()?;
+    }
+    match checked.failures.first() {
+        Some(first) => bail!("{} is not a sound mesh of {} subdivision levels: {first}", checked.file, args.levels),
+        None => Ok(()),
+    }
+}
+
+fn report(file: String, left_out: usize, certificate: &Certificate) -> Checked {
+    let mut failures: Vec<String> = certificate.failures().iter().map(ToString::to_string).collect();
+    if left_out > 0 {
+        failures.push(format!("{left_out} triangles have an index out of range or the same one twice"));
+    }
+    let levels = certificate.hierarchy.as_ref().map(|h| h.levels.iter().map(|l| [l.vertices, l.faces]).collect());
+    Checked {
+        file,
+        passed: failures.is_empty(),
+        failures,
+        levels: levels.unwrap_or_default(),
+        topology: certificate.measures.remeshed_topology.indexed.into(),
+        shape: Shape::from(&certificate.measures.quality),
+    }
+}
+
+fn table(checked: &Checked) -> Table {
+    let mut table = Table::default();
+    for (level, [vertices, faces]) in checked.levels.iter().enumerate() {
+        table.row(&format!("level {level}"), format!("{vertices} vertices, {faces} faces"));
+    }
+    table.row("topology", checked.topology.text());
+    checked.shape.rows(&mut table);
+    for failure in &checked.failures {
+        table.row("FAILED", failure);
+    }
+    table.row_if("passed", checked.passed.then_some("subdivision connectivity, counts, manifold, orientation"));
+    table
+}

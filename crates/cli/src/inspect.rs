@@ -1,0 +1,178 @@
+//! `semireg inspect INPUT`: what is it?
+
+use crate::args::InspectArgs;
+use crate::figures::Shape;
+use crate::print::{self, Table};
+use crate::report::repairs;
+use anyhow::Context as _;
+use features::FeatureOptions;
+use mesh_core::{CleanOptions, Cleaned, Inspection, TriMesh, VertexId};
+use mesh_io::Document;
+use region_map::ArcKind;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+#[derive(Serialize)]
+struct Inspected {
+    input: String,
+    counts: Counts,
+    /// Repairs that remeshing would begin with.
+    repairs: BTreeMap<&'static str, usize>,
+    /// After these repairs; none where nothing is left to work on.
+    cleaned: Option<Surface>,
+}
+
+/// As read, and after merging vertices at exactly the same position.
+#[derive(Serialize)]
+struct Counts {
+    polygons: usize,
+    polygons_above_3: usize,
+    triangles: usize,
+    vertices: usize,
+    merged_vertices: usize,
+    components: usize,
+    boundary_loops: usize,
+    genus: Option<i64>,
+    non_manifold_edges: usize,
+    non_manifold_vertices: usize,
+    inconsistent_edges: usize,
+    zero_area: usize,
+    repeated: usize,
+    bad_index: usize,
+    not_finite: usize,
+}
+
+#[derive(Serialize)]
+struct Surface {
+    vertices: usize,
+    triangles: usize,
+    components: usize,
+    boundary_loops: usize,
+    genus: i64,
+    diagonal: f64,
+    area: f64,
+    features: Features,
+    #[serde(flatten)]
+    shape: Shape,
+}
+
+/// Edges that bend by 40 degrees or more, in the units of the file; nothing simplified.
+#[derive(Serialize)]
+struct Features {
+    crease_length: f64,
+    border_length: f64,
+    arcs: usize,
+    corners: usize,
+}
+
+/// Prints counts, defects, features and quality of a file.
+pub(crate) fn run(args: &InspectArgs) -> anyhow::Result<()> {
+    let document = mesh_io::read(&args.input)?;
+    let cleaned = mesh_core::clean(&document.soup, &CleanOptions::default());
+    let inspected = Inspected {
+        input: args.input.display().to_string(),
+        counts: counts(&document, mesh_core::inspect(&document.soup)),
+        repairs: cleaned.as_ref().map(|c| repairs(&c.report).into_iter().filter(|(_, n)| *n > 0).collect()).unwrap_or_default(),
+        cleaned: cleaned.as_ref().ok().map(surface).transpose()?,
+    };
+    if args.json {
+        print::json(&inspected)?
+    } else {
+        table(&inspected).print()?
+    }
+    // The counts are worth showing, but there is nothing to remesh.
+    cleaned.map(drop).with_context(|| inspected.input)
+}
+
+fn counts(document: &Document, seen: Inspection) -> Counts {
+    Counts {
+        polygons: document.n_polygons,
+        polygons_above_3: document.n_polygons_above_3,
+        triangles: seen.triangles,
+        vertices: seen.vertices,
+        merged_vertices: seen.merged_vertices,
+        components: seen.components,
+        boundary_loops: seen.boundary_loops,
+        genus: seen.genus,
+        non_manifold_edges: seen.non_manifold_edges,
+        non_manifold_vertices: seen.non_manifold_vertices,
+        inconsistent_edges: seen.inconsistent_edges,
+        zero_area: seen.zero_area,
+        repeated: seen.repeated,
+        bad_index: seen.bad_index,
+        not_finite: seen.not_finite,
+    }
+}
+
+fn surface(cleaned: &Cleaned) -> anyhow::Result<Surface> {
+    let (mesh, topology) = (&cleaned.mesh, &cleaned.topology);
+    Ok(Surface {
+        vertices: mesh.n_vertices(),
+        triangles: mesh.n_faces(),
+        components: topology.components().1,
+        boundary_loops: topology.border_loops().len(),
+        genus: topology.genus(),
+        diagonal: mesh.diagonal(),
+        area: mesh.total_area(),
+        features: features(cleaned)?,
+        shape: Shape::from(&certify::quality(mesh)),
+    })
+}
+
+fn features(cleaned: &Cleaned) -> anyhow::Result<Features> {
+    let strong = FeatureOptions::default().strong_angle;
+    let options = FeatureOptions { weak_angle: strong, base_edge_length: 0.0, ..FeatureOptions::default() };
+    let network = features::detect(&cleaned.mesh, &cleaned.topology, &options)?;
+    let length = |kind| network.arcs.iter().filter(|arc| arc.kind == kind).map(|arc| arc.length()).sum::<f64>();
+    let minor: f64 = network.minor.iter().map(|chain| chain_length(&cleaned.mesh, chain)).sum();
+    Ok(Features {
+        crease_length: length(ArcKind::Sharp) + minor,
+        border_length: length(ArcKind::Border),
+        arcs: network.arcs.len(),
+        corners: network.corners.len(),
+    })
+}
+
+fn chain_length(mesh: &TriMesh, chain: &[VertexId]) -> f64 {
+    chain.windows(2).map(|w| mesh.distance(w[0], w[1])).sum()
+}
+
+fn table(inspected: &Inspected) -> Table {
+    let (mut table, c) = (Table::default(), &inspected.counts);
+    table.row("file", &inspected.input);
+    table.row("as read", format!("{} vertices, {} triangles", c.vertices, c.triangles));
+    table.row_if(
+        "polygons",
+        (c.polygons_above_3 > 0).then(|| format!("{}, {} of more than 3 sides", c.polygons, c.polygons_above_3)),
+    );
+    table.row("merged", format!("{} vertices at different positions", c.merged_vertices));
+    let genus = c.genus.map_or("unknown".to_owned(), |g| g.to_string());
+    table.row("topology", format!("{} components, {} border loops, genus {genus}", c.components, c.boundary_loops));
+    for (name, count) in [
+        ("edges of more than 2 triangles", c.non_manifold_edges),
+        ("vertices that are not manifold", c.non_manifold_vertices),
+        ("edges of inconsistent orientation", c.inconsistent_edges),
+        ("triangles without area", c.zero_area),
+        ("repeated triangles", c.repeated),
+        ("triangles with a bad index", c.bad_index),
+        ("coordinates that are not finite", c.not_finite),
+    ] {
+        table.row_if("defect", (count > 0).then(|| format!("{count} {name}")));
+    }
+    let repairs: Vec<String> = inspected.repairs.iter().map(|(what, n)| format!("{} {n}", what.replace('_', " "))).collect();
+    table.row_if("repairs", (!repairs.is_empty()).then(|| repairs.join(", ")));
+    if let Some(s) = &inspected.cleaned {
+        table.row("repaired", format!("{} vertices, {} triangles", s.vertices, s.triangles));
+        let Surface { components, boundary_loops, genus, .. } = s;
+        table.row("topology", format!("{components} components, {boundary_loops} border loops, genus {genus}"));
+        table.row("size", format!("diagonal {:.6}, area {:.6}", s.diagonal, s.area));
+        let f = &s.features;
+        table.row(
+            "creases",
+            format!("length {:.6} in {} arcs with {} corners (borders included)", f.crease_length, f.arcs, f.corners),
+        );
+        table.row_if("border", (f.border_length > 0.0).then(|| format!("length {:.6}", f.border_length)));
+        s.shape.rows(&mut table);
+    }
+    table
+}

@@ -1,0 +1,42 @@
+//! Standard output.
+
+use anyhow::Context as _;
+use serde::Serialize;
+use std::io::{self, ErrorKind, Write as _};
+
+/// Writes text to standard output. That nobody reads it to the end (`| head`) is no error.
+pub(crate) fn text(text: &str) -> anyhow::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
+        done => done.context("cannot write to standard output"),
+    }
+}
+
+/// Writes one JSON object to standard output. A figure that is not finite becomes null.
+pub(crate) fn json(value: &impl Serialize) -> anyhow::Result<()> {
+    text(&(serde_json::to_string_pretty(value)? + "\n"))
+}
+
+/// Lines of a name and what it is, the names in one column.
+#[derive(Default)]
+pub(crate) struct Table(String);
+
+impl Table {
+    /// Appends a line.
+    pub(crate) fn row(&mut self, name: &str, what: impl std::fmt::Display) {
+        self.0 += &format!("{name:18}{what}\n");
+    }
+
+    /// Appends a line when there is something to say.
+    pub(crate) fn row_if(&mut self, name: &str, what: Option<impl std::fmt::Display>) {
+        if let Some(what) = what {
+            self.row(name, what);
+        }
+    }
+
+    /// Writes all lines to standard output.
+    pub(crate) fn print(&self) -> anyhow::Result<()> {
+        text(&self.0)
+    }
+}

@@ -1,0 +1,127 @@
+//! The network of shapes whose creases are known.
+
+use features::{FeatureError, FeatureOptions, detect};
+use mesh_core::{Topology, TriMesh, VertexId};
+use region_map::{ArcKind, Network};
+
+fn topology(mesh: &TriMesh) -> Topology {
+    Topology::new(mesh.faces(), mesh.n_vertices()).expect("a manifold")
+}
+
+fn network(mesh: &TriMesh, options: &FeatureOptions) -> Network {
+    detect(mesh, &topology(mesh), options).expect("valid options")
+}
+
+fn at(base_edge_length: f64) -> FeatureOptions {
+    FeatureOptions { base_edge_length, ..FeatureOptions::default() }
+}
+
+/// A square sheet of `n` by `n` quads over the unit square with the heights `z`.
+fn sheet(n: u32, z: impl Fn(f64, f64) -> f64) -> TriMesh {
+    let at = |i: u32| f64::from(i) / f64::from(n);
+    let grid = (0..=n).flat_map(|j| (0..=n).map(move |i| (i, j)));
+    let positions = grid.map(|(i, j)| glam::DVec3::new(at(i), at(j), z(at(i), at(j)))).collect();
+    let quads = (0..n).flat_map(|j| (0..n).map(move |i| j * (n + 1) + i));
+    let faces = quads.flat_map(|a| [[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]]).collect();
+    TriMesh::new(positions, faces).expect("a mesh")
+}
+
+#[test]
+fn a_cube_has_its_edges_and_corners_at_any_resolution() {
+    for n in [1, 2, 6] {
+        for base_edge_length in [0.0, 0.05, 0.5, 1.0] {
+            let network = network(&fixtures::cube(n), &at(base_edge_length));
+            assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (8, 12, 6));
+            assert!(network.minor.is_empty());
+        }
+    }
+}
+
+#[test]
+fn a_cylinder_has_two_closed_arcs() {
+    let network = network(&fixtures::cylinder(1.0, 2.0, 48), &at(0.4));
+    assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (0, 2, 3));
+    assert!(network.arcs.iter().all(|arc| arc.is_loop()));
+}
+
+#[test]
+fn the_tip_of_a_cone_is_a_corner_and_a_pole_is_not() {
+    for sides in [12, 24, 80] {
+        let cone = fixtures::cone(1.0, 1.5, sides);
+        let network = network(&cone, &at(0.3));
+        assert_eq!(network.corners.iter().map(|&v| cone.position(v).z).collect::<Vec<_>>(), [1.5]);
+    }
+    for smooth in [fixtures::uv_sphere(24), fixtures::icosphere(5), fixtures::torus(2.0, 0.6, 40, 20)] {
+        let network = network(&smooth, &at(0.3));
+        assert!(network.corners.is_empty() && network.arcs.is_empty());
+    }
+}
+
+#[test]
+fn the_border_of_a_sheet_turns_at_its_corners() {
+    for n in [1, 3, 40] {
+        let network = network(&sheet(n, |_, _| 0.0), &at(0.2));
+        assert_eq!((network.corners.len(), network.arcs.len()), (4, 4));
+        assert!(network.arcs.iter().all(|arc| arc.kind == ArcKind::Border && (arc.length() - 1.0).abs() < 1e-12));
+    }
+}
+
+#[test]
+fn a_round_border_has_no_corner_at_any_resolution() {
+    let shell = fixtures::cylinder(1.0, 2.0, 36);
+    let side: Vec<[u32; 3]> =
+        shell.faces().ids().filter(|&f| shell.normal(f).z.abs() < 0.5).map(|f| shell.face(f).map(|v| v.0)).collect();
+    let tube = TriMesh::new(shell.positions().as_slice().to_vec(), side).expect("a mesh");
+    for base_edge_length in [0.0, 0.1, 0.5, 1.0, 4.0] {
+        let network = network(&tube, &at(base_edge_length));
+        assert_eq!((network.corners.len(), network.arcs.len()), (0, 2), "at {base_edge_length}");
+    }
+}
+
+#[test]
+fn a_crease_that_fades_out_is_kept_to_its_end() {
+    // A roof along y = 1/2 whose slope falls to nothing at x = 1.
+    let roof = sheet(40, |x, y| -(1.0 - x) * (y - 0.5).abs());
+    let network = network(&roof, &at(0.1));
+    let creases: Vec<_> = network.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).collect();
+    assert_eq!(creases.len(), 1);
+    // The weak angle of 25 degrees is reached where the slope is tan 12.5: at x = 0.78.
+    assert!((creases[0].length() - 0.78).abs() < 0.06, "{}", creases[0].length());
+}
+
+#[test]
+fn crumbs_are_minor() {
+    // One sharp little pyramid on a plane of base edge length 1/4.
+    let pimple = sheet(40, |x, y| if (x - 0.5).hypot(y - 0.5) < 0.01 { 0.05 } else { 0.0 });
+    let kept = network(&pimple, &at(0.25));
+    assert!(kept.arcs.iter().all(|arc| arc.kind == ArcKind::Border));
+    assert!(!kept.minor.is_empty());
+    let all = network(&pimple, &at(0.0));
+    assert!(all.arcs.len() > 4 && all.minor.is_empty());
+}
+
+#[test]
+fn a_zigzag_strip_becomes_one_path() {
+    // A step of one row of quads, so steep that both of its rims and the diagonals between them are sharp.
+    let step = sheet(60, |x, y| if y > 0.505 + 0.01 * (60.0 * x).sin() { 0.03 } else { 0.0 });
+    let raw = network(&step, &at(0.0));
+    let simple = network(&step, &at(0.45));
+    let creases = |n: &Network| n.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).count();
+    assert!(creases(&raw) > 20 && creases(&simple) <= 3, "{} and {}", creases(&raw), creases(&simple));
+}
+
+#[test]
+fn marked_edges_stay_and_must_exist() {
+    let flat = sheet(8, |_, _| 0.0);
+    let pair = |a, b| [VertexId(a), VertexId(b)];
+    let marked = |edges: Vec<[VertexId; 2]>| FeatureOptions { marked: edges, ..at(10.0) };
+    let network = network(&flat, &marked(vec![pair(30, 31), pair(32, 31)]));
+    let arc = network.arcs.iter().find(|arc| arc.kind == ArcKind::Marked).expect("the marked chain");
+    assert_eq!(arc.vertices.len(), 3);
+    let refused = |options: &FeatureOptions| detect(&flat, &topology(&flat), options).expect_err("refused");
+    assert_eq!(refused(&marked(vec![pair(0, 80)])), FeatureError::NotAnEdge(VertexId(0), VertexId(80)));
+    assert_eq!(refused(&marked(vec![pair(0, 999)])), FeatureError::NotAnEdge(VertexId(0), VertexId(999)));
+    assert_eq!(refused(&at(-1.0)), FeatureError::BaseEdgeLength(-1.0));
+    let angles = FeatureOptions { weak_angle: 50.0, ..FeatureOptions::default() };
+    assert_eq!(refused(&angles), FeatureError::Angles { strong: 40.0, weak: 50.0 });
+}

@@ -1,0 +1,82 @@
+//! Making neighbours face the same way.
+
+use super::draft::Draft;
+use super::edges::edge_groups;
+use crate::{FaceId, IdVec};
+use glam::DVec3;
+use std::collections::VecDeque;
+
+/// Turns faces so that they agree across every edge of exactly two faces; across some edges of a one-sided surface they cannot.
+///
+/// In each part connected by such edges most faces stay as they are, but a closed part in which any has to be turned is
+/// made to face outwards.
+pub(super) fn orient(draft: &mut Draft) {
+    let sides = Sides::of(draft);
+    let mut turn = IdVec::<FaceId, Option<bool>>::filled(None, draft.faces.len());
+    for start in draft.faces.ids() {
+        if turn[start].is_some() {
+            continue;
+        }
+        let part = sides.flood(start, &mut turn);
+        let turned = part.iter().filter(|&&f| turn[f] == Some(true)).count();
+        // Turn the others instead?
+        let invert = if turned > 0 && sides.closed(&part) { volume(draft, &part, &turn) < 0.0 } else { 2 * turned > part.len() };
+        for f in part {
+            if turn[f] != Some(invert) {
+                draft.turn(f);
+            }
+        }
+    }
+}
+
+/// For every halfedge of an edge of two faces: the other face, and whether the two disagree.
+struct Sides {
+    neighbours: IdVec<FaceId, [Option<(FaceId, bool)>; 3]>,
+}
+
+impl Sides {
+    fn of(draft: &Draft) -> Self {
+        let mut neighbours = IdVec::<FaceId, _>::filled([None; 3], draft.faces.len());
+        for uses in edge_groups(&draft.faces).iter() {
+            if let &[(_, g), (_, h)] = uses {
+                let disagree = draft.from(g) == draft.from(h);
+                neighbours[g.face()][g.corner()] = Some((h.face(), disagree));
+                neighbours[h.face()][h.corner()] = Some((g.face(), disagree));
+            }
+        }
+        Self { neighbours }
+    }
+
+    /// The part of `start`, with a choice of who turns that leaves `start` as it is. Goes breadth first, so that where a
+    /// one-sided surface must be cut the cut lies opposite the start and is short.
+    fn flood(&self, start: FaceId, turn: &mut IdVec<FaceId, Option<bool>>) -> Vec<FaceId> {
+        let mut part = vec![start];
+        let mut queue = VecDeque::from([(start, false)]);
+        turn[start] = Some(false);
+        while let Some((f, turned)) = queue.pop_front() {
+            for &(g, disagree) in self.neighbours[f].iter().flatten() {
+                if turn[g].is_none() {
+                    turn[g] = Some(turned != disagree);
+                    queue.push_back((g, turned != disagree));
+                    part.push(g);
+                }
+            }
+        }
+        part
+    }
+
+    fn closed(&self, part: &[FaceId]) -> bool {
+        part.iter().all(|&f| self.neighbours[f].iter().all(Option::is_some))
+    }
+}
+
+/// Volume inside a closed part after turning, positive when it then faces outwards.
+fn volume(draft: &Draft, part: &[FaceId], turn: &IdVec<FaceId, Option<bool>>) -> f64 {
+    let origin: DVec3 = draft.triangle(part[0])[0];
+    let six_times = |f: FaceId| {
+        let [a, b, c] = draft.triangle(f).map(|p| p - origin);
+        let sign = if turn[f] == Some(true) { -1.0 } else { 1.0 };
+        sign * a.dot(b.cross(c))
+    };
+    part.iter().map(|&f| six_times(f)).sum()
+}

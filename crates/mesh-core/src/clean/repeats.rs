@@ -1,0 +1,120 @@
+//! Triangles on the same three vertices.
+
+use super::CleanReport;
+use super::draft::{Draft, Twins};
+use super::edges::edge_groups;
+use crate::partition::Partition;
+use crate::{FaceId, IdVec, VertexId};
+
+/// Drops pairs of triangles on each other that are joined along an edge of their own and hang on single triangles by their
+/// other edges: a fold without extent, left by tessellators. What they hang on closes without them.
+pub(super) fn drop_flaps(draft: &mut Draft, report: &mut CleanReport) {
+    let copies = copies(draft);
+    if copies.iter().all(|&n| n == 1) {
+        return;
+    }
+    let mut own_edges = IdVec::<FaceId, u32>::filled(0, draft.faces.len());
+    let mut edges_on_singles = own_edges.clone();
+    for uses in edge_groups(&draft.faces).iter() {
+        for &(_, h) in uses {
+            let apex = draft.opposite(h);
+            let mut others = uses.iter().filter(|(_, g)| draft.opposite(*g) != apex).peekable();
+            if others.peek().is_none() {
+                own_edges[h.face()] += 1;
+            } else if others.all(|(_, g)| copies[g.face()] == 1) {
+                edges_on_singles[h.face()] += 1;
+            }
+        }
+    }
+    let flap = |f: FaceId| copies[f] == 2 && matches!((own_edges[f], edges_on_singles[f]), (1, 2) | (2, 1));
+    report.flaps += draft.drop_faces(&draft.faces.ids().map(flap).collect());
+}
+
+/// Of triangles on the same vertices that face the same way the first stays.
+pub(super) fn drop_same_way(draft: &mut Draft, report: &mut CleanReport) {
+    let cycle = |f: [VertexId; 3]| {
+        let least = (0..3).min_by_key(|&c| f[c]).unwrap_or(0);
+        [f[least], f[(least + 1) % 3], f[(least + 2) % 3]]
+    };
+    let mut drop = IdVec::filled(false, draft.faces.len());
+    for group in groups_by(draft, cycle).chunk_by(|a, b| a.0 == b.0) {
+        for &(_, f) in &group[1..] {
+            drop[f] = true;
+        }
+    }
+    report.repeated += draft.drop_faces(&drop);
+}
+
+/// Of two triangles on each other that are sides of one leaf (a double sheet, as in foliage) the first stays, and a leaf
+/// that lies on others altogether goes. True when anything was dropped, so that the rest must be paired anew.
+pub(super) fn drop_double_sheets(draft: &mut Draft, twins: &Twins, report: &mut CleanReport) -> bool {
+    let groups = groups_by(draft, sorted);
+    let pairs: Vec<[FaceId; 2]> = groups.windows(2).filter(|w| w[0].0 == w[1].0).map(|w| [w[0].1, w[1].1]).collect();
+    if pairs.is_empty() {
+        return false;
+    }
+    let leaf = leaves(draft, twins);
+    let mut drop = IdVec::filled(false, draft.faces.len());
+    let mut copy_elsewhere = IdVec::<FaceId, Option<FaceId>>::filled(None, draft.faces.len());
+    for &[f, g] in &pairs {
+        if leaf[f] == leaf[g] {
+            drop[g] = true;
+        } else {
+            (copy_elsewhere[f], copy_elsewhere[g]) = (Some(g), Some(f));
+        }
+    }
+    let gone = redundant(&leaf, &copy_elsewhere);
+    for f in drop.ids() {
+        drop[f] |= gone[leaf[f]];
+    }
+    let dropped = draft.drop_faces(&drop);
+    report.repeated += dropped;
+    dropped > 0
+}
+
+/// Marks the leaves of which every face has a copy in a leaf that stays. Of two equal leaves the later one goes.
+fn redundant(leaf: &IdVec<FaceId, FaceId>, copy_elsewhere: &IdVec<FaceId, Option<FaceId>>) -> IdVec<FaceId, bool> {
+    let mut faces = IdVec::<FaceId, Vec<FaceId>>::filled(Vec::new(), leaf.len());
+    for f in leaf.ids() {
+        faces[leaf[f]].push(f);
+    }
+    let mut gone = IdVec::filled(false, leaf.len());
+    for part in leaf.ids().rev().filter(|&f| leaf[f] == f) {
+        gone[part] = faces[part].iter().all(|&f| copy_elsewhere[f].is_some_and(|g| !gone[leaf[g]]));
+    }
+    gone
+}
+
+/// The part of every face when faces connect across paired halfedges, named by its first face.
+fn leaves(draft: &Draft, twins: &Twins) -> IdVec<FaceId, FaceId> {
+    let mut parts = Partition::<FaceId>::of_singles(draft.faces.len());
+    for h in twins.ids() {
+        if let Some(twin) = twins[h] {
+            parts.join(h.face(), twin.face());
+        }
+    }
+    draft.faces.ids().map(|f| parts.part(f)).collect()
+}
+
+/// For every face how many faces, itself included, have its vertices.
+fn copies(draft: &Draft) -> IdVec<FaceId, usize> {
+    let mut copies = IdVec::filled(1, draft.faces.len());
+    for group in groups_by(draft, sorted).chunk_by(|a, b| a.0 == b.0) {
+        for &(_, f) in group {
+            copies[f] = group.len();
+        }
+    }
+    copies
+}
+
+fn sorted(mut f: [VertexId; 3]) -> [VertexId; 3] {
+    f.sort_unstable();
+    f
+}
+
+/// The faces sorted by a key of their vertices, then by id.
+fn groups_by(draft: &Draft, key: impl Fn([VertexId; 3]) -> [VertexId; 3]) -> Vec<([VertexId; 3], FaceId)> {
+    let mut groups: Vec<_> = draft.faces.enumerate().map(|(f, &v)| (key(v), f)).collect();
+    groups.sort_unstable();
+    groups
+}
