@@ -77,6 +77,8 @@ fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<Stri
     }
     if update {
         expected.save()?;
+    } else {
+        problems.extend(expected.new.iter().map(|file| format!("{file} is not in expected.json: run with --update")));
     }
     problems.extend(oracle::check(&pairs, target)?);
     Ok(problems)

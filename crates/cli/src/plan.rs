@@ -22,11 +22,12 @@ const MAX_TRIANGLES: u64 = 50_000_000;
 impl RemeshPlan {
     /// Checks that the result can be written, sets up the threads and takes over the options.
     pub(crate) fn new(args: RemeshArgs) -> anyhow::Result<Self> {
-        check_output(&args.output)?;
         check_size(args.base_vertices, args.levels)?;
+        // First, as the result may go into the same folder.
         if let Some(folder) = &args.stages {
             fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {} (--stages)", folder.display()))?;
         }
+        check_output(&args.output)?;
         if let Some(n) = args.threads {
             rayon::ThreadPoolBuilder::new().num_threads(n.into()).build_global().context("cannot start the threads")?;
         }
@@ -42,7 +43,7 @@ impl RemeshPlan {
 
 /// A closed surface has about two triangles a vertex.
 fn check_size(base_vertices: Option<u32>, levels: u32) -> anyhow::Result<()> {
-    let triangles = 2 * u64::from(base_vertices.unwrap_or(0)) << (2 * levels);
+    let triangles = (2 * u64::from(base_vertices.unwrap_or(0))) << (2 * levels);
     if triangles > MAX_TRIANGLES {
         bail!("the result would have about {triangles} triangles, more than {MAX_TRIANGLES}; lower --base-vertices or --levels");
     }

@@ -3,7 +3,7 @@
 use crate::disk::{PatchOf, can_add, n_patches};
 use crate::straighten::straighten;
 use crate::surface::Surface;
-use mesh_core::{FaceId, Id, IdVec, Topology, TriMesh};
+use mesh_core::{FaceId, Id, Topology, TriMesh};
 use region_map::{Network, PatchId, Segmentation};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
@@ -102,7 +102,7 @@ fn grow_by_distance(surface: &Surface, patch_of: &mut PatchOf, seeds: &[(FaceId,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mesh_core::EdgeId;
+    use mesh_core::{EdgeId, IdVec};
     use region_map::{ArcKind, Cells};
 
     fn check(mesh: &TriMesh, is_sharp: impl Fn(&Topology, EdgeId) -> bool) {

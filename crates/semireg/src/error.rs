@@ -27,6 +27,12 @@ pub enum Error {
     /// Projection failed.
     #[error(transparent)]
     Project(#[from] project::ProjectError),
+    /// The subdivided mesh is not manifold: a bug of ours.
+    #[error("internal error in the subdivision: {0}; please report this with the input file")]
+    Topology(#[from] mesh_core::TopologyError),
+    /// The result could not be measured.
+    #[error(transparent)]
+    Measure(#[from] certify::MeasureError),
     /// Relaxation failed.
     #[error(transparent)]
     Relax(#[from] relax::RelaxError),

@@ -3,8 +3,8 @@
 use crate::{Error, Options, Report, StageSeconds};
 use basemesh::{BaseError, BaseOptions};
 use features::FeatureOptions;
-use mesh_core::{Cleaned, IdVec, Soup, TriMesh};
-use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, RegionMap, Segmentation, SheetNormals, Sites, Surface};
+use mesh_core::{Cleaned, Soup, Topology, TriMesh};
+use region_map::{ArcKind, BaseMesh, Cells, Network, RegionMap, Segmentation, SheetNormals, Sites, Surface};
 use segment_cvt::{CvtOptions, SizingField};
 use segment_vsa::VsaOptions;
 
@@ -64,8 +64,11 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
     let origins = project::Origins { base, points: &domain.origins };
     let projected =
         seconds.time("project", || project::project(&surface, &domain.mesh, &domain.region, Some(origins), &options.project))?;
-    let relaxed = seconds.time("relax", || relax::relax(&surface, &projected.mesh, &projected.region, &options.relax))?;
-    let certificate = seconds.time("certify", || certify::certify(&cleaned.mesh, &relaxed.mesh, options.levels, &Default::default()));
+    let topology = Topology::new(projected.mesh.faces(), projected.mesh.n_vertices())?;
+    let relaxed =
+        seconds.time("relax", || relax::relax(&surface, &projected.mesh, &topology, &projected.region, &options.relax))?;
+    let certificate =
+        seconds.time("certify", || certify::certify(&cleaned.mesh, &relaxed.mesh, options.levels, &Default::default()))?;
     if let Some(failure) = certificate.failures().first() {
         return Err(Error::NotCertified(failure.to_string()));
     }
@@ -84,9 +87,12 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
         certificate,
         seconds,
     };
-    let stages = Stages { subdivided: domain.mesh, projected: projected.mesh, region: relaxed.region, base: stages };
+    let stages = Stages { subdivided: domain.mesh, projected: projected.mesh, region: relaxed.map, base: stages };
     Ok(Remeshed { mesh: relaxed.mesh, report, stages })
 }
+
+/// Fewer, and nothing is left for the inside of the patches (design, section 3).
+const VERTICES_A_PATCH: usize = 16;
 
 /// The stages from cleaning to the base mesh.
 pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
@@ -98,9 +104,10 @@ pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
     let base_edge_length = (2.0 * mesh.total_area() / (3f64.sqrt() * wanted as f64)).sqrt();
     let feature_options = FeatureOptions { base_edge_length, ..options.features.clone() };
     let network = seconds.time("features", || features::detect(mesh, topology, &feature_options))?;
-    let vsa = VsaOptions { max_patches: (wanted / 16).max(6), ..Default::default() };
+    let vsa = VsaOptions { max_patches: (wanted / VERTICES_A_PATCH).max(6), base_edge_length, ..Default::default() };
     let (mut segmentation, _) = seconds.time("segment", || segment_vsa::segment(mesh, topology, &network, &vsa))?;
     let mut warnings = Vec::new();
+    let mut n_split = 0;
     loop {
         let cells = Cells::trace(mesh, topology, &network, &segmentation)?;
         let cvt = CvtOptions { base_vertices: wanted, seed: options.seed, ..Default::default() };
@@ -109,11 +116,14 @@ pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
         let made = seconds.time("base", || basemesh::build(mesh, topology, &network, &cells, &sampled.sites, &base_options));
         match made {
             Ok(base) => {
+                if n_split > 0 {
+                    warnings.push(format!("{n_split} patches were too long or too winding to lay flat and were split"));
+                }
                 return Ok(BaseStages { sites: sampled.sites, network, segmentation, cells, base, warnings, seconds, cleaned });
             }
             // The ladder: patches that can't be laid flat are cut in two.
             Err(BaseError::Uncharted(patches)) if patches.iter().any(|&p| cells.patches[p].faces.len() > 1) => {
-                split.extend(&patches);
+                n_split += patches.len();
                 segmentation = segment_vsa::split(mesh, topology, &network, &segmentation, &patches);
             }
             Err(e) => return Err(e.into()),

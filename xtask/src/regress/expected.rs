@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 pub(super) struct Expected {
     path: PathBuf,
     pub(super) fixtures: BTreeMap<String, Entry>,
+    /// Fixtures that have no entry in the file and got the default.
+    pub(super) new: Vec<String>,
 }
 
 /// How a fixture is remeshed and what comes of it.
@@ -65,7 +67,8 @@ impl Expected {
         let stored: BTreeMap<String, Entry> =
             serde_json::from_str(&text).with_context(|| format!("{} is not as we wrote it", path.display()))?;
         let entry = |file: &String| (file.clone(), stored.get(file).cloned().unwrap_or(DEFAULT));
-        Ok(Self { path: path.to_owned(), fixtures: files.iter().map(entry).collect() })
+        let new = files.iter().filter(|file| !stored.contains_key(*file)).cloned().collect();
+        Ok(Self { path: path.to_owned(), fixtures: files.iter().map(entry).collect(), new })
     }
 
     pub(super) fn save(&self) -> Result<()> {
@@ -88,7 +91,6 @@ impl Entry {
         match (&self.expected, outcome) {
             (Some(expected), Outcome::Remeshed { report, .. }) => worse(expected, &figures(report)),
             (Some(_), Outcome::Refused { reason, .. }) => vec![format!("refused: {reason}")],
-            (None, Outcome::Remeshed { .. }) => vec!["works, but has no stored figures: run with --update".to_owned()],
             _ => Vec::new(),
         }
     }

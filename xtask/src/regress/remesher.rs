@@ -99,8 +99,9 @@ impl Outcome {
 fn figures(report: &Value) -> String {
     let whole = |pointer: &str| report.pointer(pointer).and_then(Value::as_u64).unwrap_or(0);
     let real = |key: &str| report[key].as_f64().unwrap_or(f64::NAN);
+    let cover = report["crease_cover"].as_f64().map_or("-".to_owned(), |c| format!("{c:.3}"));
     format!(
-        "{:>12} {:6} {:7} {:6.3} {:6.3} {:5.1} {:9.2e} {:9.2e} {:6.3} {:5}",
+        "{:>12} {:6} {:7} {:6.3} {:6.3} {:5.1} {:9.2e} {:9.2e} {cover:>6} {:5}",
         whole("/base_vertices/asked"),
         whole("/base_vertices/made"),
         whole("/vertices"),
@@ -109,7 +110,6 @@ fn figures(report: &Value) -> String {
         real("agl"),
         real("err_mean"),
         real("err_max"),
-        real("crease_cover"),
         whole("/flipped"),
     )
 }
