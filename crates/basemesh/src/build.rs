@@ -11,7 +11,7 @@ use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 use rayon::prelude::*;
 use region_map::{
     ArcSpan, Attachment, BaseCounts, BaseMap, BaseMesh, CellArc, CellArcId, CellCornerId, Cells, Chart, ChartId, Network,
-    PatchId, RegionMap, SheetId, Sites,
+    PatchId, RegionMap, SheetId, Sites, Surface,
 };
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
@@ -32,14 +32,8 @@ impl Default for BaseOptions {
 }
 
 /// Builds the base mesh of the sites: simplicial, manifold, of the topology of the mesh, every arc of the network on its edges.
-pub fn build(
-    mesh: &TriMesh,
-    topology: &Topology,
-    network: &Network,
-    cells: &Cells,
-    sites: &Sites,
-    options: &BaseOptions,
-) -> Result<BaseMesh, BaseError> {
+pub fn build(surface: &Surface<'_>, cells: &Cells, sites: &Sites, options: &BaseOptions) -> Result<BaseMesh, BaseError> {
+    let &Surface { mesh, topology, network, .. } = surface;
     let vertices = Vertices::collect(topology, network, cells, sites)?;
     let flat: Vec<Option<(Chart, Vec<FlatFace>)>> = (0..cells.patches.len())
         .into_par_iter()
@@ -55,7 +49,7 @@ pub fn build(
         cells.arcs.ids().flat_map(|a| vertices.edges_along(cells, a)).map(|(ends, _)| ends).collect();
     let patchwork = make_simplicial(IdVec::from_vec(faces), &charts, &arc_edges, vertices.points.len());
     let first = join(mesh, topology, network, cells, vertices, charts, patchwork)?;
-    let mut editor = Editor::new(mesh, topology, network, first)?;
+    let mut editor = Editor::new(surface, first)?;
     improve(&mut editor, options);
     let mut base = editor.finish()?;
     base.counts = BaseCounts { asked: options.base_vertices, needed: 0, made: base.mesh.n_vertices(), reason: String::new() };

@@ -4,15 +4,23 @@
 
 use crate::BaseError;
 use crate::layout::{are_unfolded, full_star, half_star, quad};
+use crate::shape::signed_quality;
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, Network, RegionMap, SheetId};
+use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, SheetId, Surface, flat_barycentric};
+
+/// Moves shorter than this share of the mean edge of the star are not worth an edit.
+const LEAST_MOVE: f64 = 0.02;
+/// A move may make triangles worse as long as they stay better than this (AR).
+const GOOD_ENOUGH: f64 = 0.6;
 
 /// A base face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Face {
     pub(crate) vertices: [VertexId; 3],
-    pub(crate) sheet: SheetId,
+    /// Unit normal of the surface at the point that the map gives the middle of the face.
+    pub(crate) normal: DVec3,
+    sheet: SheetId,
     map: MapFaceId,
 }
 
@@ -39,9 +47,7 @@ pub(crate) struct Ring {
 
 /// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
 pub(crate) struct Editor<'a> {
-    mesh: &'a TriMesh,
-    topology: &'a Topology,
-    network: &'a Network,
+    surface: &'a Surface<'a>,
     faces: IdVec<FaceId, Option<Face>>,
     star: IdVec<VertexId, Vec<FaceId>>,
     positions: IdVec<VertexId, DVec3>,
@@ -52,22 +58,18 @@ pub(crate) struct Editor<'a> {
 
 impl<'a> Editor<'a> {
     /// Takes a base mesh apart. Fails when it is not manifold.
-    pub(crate) fn new(
-        mesh: &'a TriMesh,
-        topology: &'a Topology,
-        network: &'a Network,
-        base: BaseMesh,
-    ) -> Result<Self, BaseError> {
+    pub(crate) fn new(surface: &'a Surface<'a>, base: BaseMesh) -> Result<Self, BaseError> {
         let BaseMesh { mesh: base, region, map, map_faces, .. } = base;
         Topology::new(base.faces(), base.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
         let mut star = IdVec::filled(Vec::new(), base.n_vertices());
         let mut faces = IdVec::new();
         for (f, &vertices) in base.faces().enumerate() {
-            faces.push(Some(Face { vertices, sheet: region.sheet_of_face[f], map: map_faces[f] }));
+            let normal = surface_normal(surface, &map, map_faces[f]);
+            faces.push(Some(Face { vertices, sheet: region.sheet_of_face[f], map: map_faces[f], normal }));
             vertices.iter().for_each(|&v| star[v].push(f));
         }
         let n_vertices = star.iter().filter(|s: &&Vec<FaceId>| !s.is_empty()).count();
-        Ok(Self { mesh, topology, network, faces, star, positions: base.positions().clone(), region, map, n_vertices })
+        Ok(Self { surface, faces, star, positions: base.positions().clone(), region, map, n_vertices })
     }
 
     /// Number of vertices now.
@@ -100,15 +102,19 @@ impl<'a> Editor<'a> {
     }
     /// Area of the working mesh.
     pub(crate) fn surface_area(&self) -> f64 {
-        self.mesh.total_area()
+        self.surface.mesh.total_area()
     }
     /// The part of an arc that an edge lies on.
     pub(crate) fn span(&self, a: VertexId, b: VertexId) -> Option<ArcSpan> {
         self.region.span(a, b)
     }
     /// The faces at a vertex.
-    pub(crate) fn faces_at(&self, v: VertexId) -> impl Iterator<Item = [VertexId; 3]> + '_ {
-        self.star[v].iter().filter_map(|&f| self.face(f)).map(|f| f.vertices)
+    pub(crate) fn faces_at(&self, v: VertexId) -> impl Iterator<Item = Face> + '_ {
+        self.star[v].iter().filter_map(|&f| self.face(f))
+    }
+    /// Positions of the corners of a face.
+    pub(crate) fn triangle(&self, f: &Face) -> [DVec3; 3] {
+        f.vertices.map(|v| self.positions[v])
     }
     /// Number of edges at a vertex.
     pub(crate) fn valence(&self, v: VertexId) -> usize {
@@ -130,9 +136,9 @@ impl<'a> Editor<'a> {
         [find(a, b), find(b, a)]
     }
 
-    /// The vertices opposite to an edge on its left and right.
-    pub(crate) fn opposite(&self, a: VertexId, b: VertexId) -> [Option<VertexId>; 2] {
-        self.beside(a, b).map(|side| side.map(|s| s.1))
+    /// The faces on the left and on the right of the edge from `a` to `b`, with their third vertices.
+    pub(crate) fn faces_beside(&self, a: VertexId, b: VertexId) -> [Option<(Face, VertexId)>; 2] {
+        self.beside(a, b).map(|side| side.and_then(|(f, v)| Some((self.face(f)?, v))))
     }
 
     /// The one-ring of a vertex; `None` for a vertex that is gone.
@@ -184,9 +190,9 @@ impl<'a> Editor<'a> {
         let span = self.span(a, b);
         let (attachment, point) = match span {
             Some(s) => {
-                let arc = &self.network.arcs[s.arc];
+                let arc = &self.surface.network.arcs[s.arc];
                 let t = arc.normalise(0.5 * (s.from + s.to));
-                (Attachment::Arc { arc: s.arc, t }, arc.point(self.topology, t))
+                (Attachment::Arc { arc: s.arc, t }, arc.point(self.surface.topology, t))
             }
             None => (Attachment::Sheet(face.sheet), self.map.locate(face.map, weights)),
         };
@@ -318,8 +324,9 @@ impl<'a> Editor<'a> {
         (old.iter().all(|o| valid(&o.2)) && new.iter().all(|n| valid(&n.1))).then_some((old, new))
     }
 
-    /// Moves an inner vertex of a sheet towards the weighted centroid of its one-ring in a flat layout. False when it stays.
-    pub(crate) fn relax_vertex(&mut self, v: VertexId, weight: impl Fn(VertexId) -> f64) -> bool {
+    /// Moves an inner vertex of a sheet to the middle of its one-ring in a flat layout, unless that makes the worst of its triangles
+    /// worse. False when it stays.
+    pub(crate) fn relax_vertex(&mut self, v: VertexId) -> bool {
         let Some(ring) = self.ring(v).filter(|r| r.closed) else { return false };
         if !matches!(self.attachment(v), Attachment::Sheet(_)) {
             return false;
@@ -328,34 +335,45 @@ impl<'a> Editor<'a> {
         let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.positions[w]).collect();
         let star = |p: &[DVec2], at: DVec2| -> Vec<[DVec2; 3]> { (0..n).map(|i| [at, p[i], p[(i + 1) % n]]).collect() };
         let flat = full_star(self.positions[v], &positions, |p| are_unfolded(&star(p, DVec2::ZERO)));
-        let weights: Vec<f64> = ring.vertices.iter().map(|&w| weight(w)).collect();
-        let centroid: DVec2 = flat.iter().zip(&weights).map(|(p, w)| *p * *w).sum::<DVec2>() / weights.iter().sum::<f64>();
-        let new_star = star(&flat, centroid);
-        if !are_unfolded(&new_star) || centroid.length() < 0.02 {
+        let centroid = flat.iter().sum::<DVec2>() / n as f64;
+        let (old_star, new_star) = (star(&flat, DVec2::ZERO), star(&flat, centroid));
+        if !are_unfolded(&new_star) || centroid.length() < LEAST_MOVE {
             return false;
         }
-        // Where the centroid lies in the old star decides the surface point.
+        let Some(point) = self.point_in_star(&ring, &old_star, centroid, v) else { return false };
+        let to = point.position(self.surface.mesh);
+        let worst = |at: DVec3| {
+            let quality = |f: Face| signed_quality(f.vertices.map(|w| if w == v { at } else { self.positions[w] }), f.normal);
+            self.faces_at(v).map(quality).fold(f64::INFINITY, f64::min)
+        };
+        if worst(to) < worst(self.positions[v]).min(GOOD_ENOUGH) {
+            return false;
+        }
         let corners = |i: usize| [v, ring.vertices[i], ring.vertices[(i + 1) % n]];
-        let old: Vec<_> = (0..n).map(|i| (ring.faces[i], corners(i), star(&flat, DVec2::ZERO)[i])).collect();
+        let old: Vec<_> = (0..n).map(|i| (ring.faces[i], corners(i), old_star[i])).collect();
         let new: Vec<_> = (0..n).map(|i| (corners(i), new_star[i])).collect();
-        if !self.replace(&old, &new) {
-            return false;
+        let moved = self.replace(&old, &new);
+        if moved {
+            (self.region.points[v], self.positions[v]) = (point, to);
         }
-        if let Some((f, face)) = self.star[v].iter().find_map(|&f| Some((f, self.face(f)?))) {
-            let mut corner = DVec3::ZERO;
-            corner[face.corner(v).unwrap_or(0)] = 1.0;
-            let point = self.map.locate(self.faces[f].map_or(face.map, |f| f.map), corner);
-            self.region.points[v] = point;
-            self.positions[v] = point.position(self.mesh);
-        }
-        true
+        moved
+    }
+
+    /// The surface point at a place in the layout of the star of `v`.
+    fn point_in_star(&self, ring: &Ring, star: &[[DVec2; 3]], at: DVec2, v: VertexId) -> Option<SurfacePoint> {
+        let weights = |t: &[DVec2; 3]| flat_barycentric(t, at);
+        let (i, w) = star.iter().map(weights).enumerate().max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element()))?;
+        let face = self.face(ring.faces[i])?;
+        let c = face.corner(v)?;
+        // `w` begins at v, the face's own corners elsewhere.
+        Some(self.map.locate(face.map, DVec3::from_array([0, 1, 2].map(|k| w[(k + 3 - c) % 3]))))
     }
 
     fn add_vertex(&mut self, attachment: Attachment, point: SurfacePoint) -> VertexId {
         self.region.attachments.push(attachment);
         self.region.points.push(point);
         self.star.push(Vec::new());
-        self.positions.push(point.position(self.mesh))
+        self.positions.push(point.position(self.surface.mesh))
     }
 
     /// Replaces faces by others over the same flat polygon, in the mesh and in the map.
@@ -377,7 +395,8 @@ impl<'a> Editor<'a> {
             self.faces[*f] = None;
         }
         for ((vertices, _), map) in new.iter().zip(made) {
-            let f = self.faces.push(Some(Face { vertices: *vertices, sheet, map }));
+            let normal = surface_normal(self.surface, &self.map, map);
+            let f = self.faces.push(Some(Face { vertices: *vertices, sheet, map, normal }));
             vertices.iter().for_each(|&v| self.star[v].push(f));
         }
         true
@@ -406,9 +425,14 @@ impl<'a> Editor<'a> {
         }
         let mesh = TriMesh::new(positions, faces).map_err(|e| BaseError::Internal(e.to_string()))?;
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
-        region.check(&topology, self.network).map_err(|e| BaseError::Internal(e.to_string()))?;
+        region.check(&topology, self.surface.network).map_err(|e| BaseError::Internal(e.to_string()))?;
         Ok(BaseMesh { mesh, region, map: self.map, map_faces, counts: Default::default() })
     }
+}
+
+/// Normal of the surface at the middle of a face of the map.
+fn surface_normal(surface: &Surface<'_>, map: &BaseMap, face: MapFaceId) -> DVec3 {
+    surface.normals.at(map.locate(face, DVec3::splat(1.0 / 3.0)))
 }
 
 /// The part of a ring from one of its vertices to another, counter-clockwise; `None` where the border lies between.

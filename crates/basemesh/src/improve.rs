@@ -47,7 +47,7 @@ fn settle(editor: &mut Editor<'_>) {
     for _ in 0..MOVES {
         flip_edges(editor);
         for v in editor.vertices() {
-            editor.relax_vertex(v, |_| 1.0);
+            editor.relax_vertex(v);
         }
     }
     flip_edges(editor);

@@ -1,6 +1,6 @@
 //! What an edit would do to the shape of the base triangles.
 
-use crate::editor::Editor;
+use crate::editor::{Editor, Face};
 use glam::DVec3;
 use mesh_core::VertexId;
 use region_map::Attachment;
@@ -12,6 +12,9 @@ const FOLD_COST: f64 = 2.0;
 /// Cap on the shape cost, so that one needle does not outweigh all.
 const WORST_SHAPE: f64 = 100.0;
 
+/// A collapse may turn a triangle so far from the surface's normal (a cosine).
+const MOST_TURNED: f64 = 0.3;
+
 /// Length of an edge, on an arc that of its span.
 pub(crate) fn spread(editor: &Editor<'_>, [a, b]: [VertexId; 2]) -> f64 {
     match editor.span(a, b) {
@@ -20,31 +23,38 @@ pub(crate) fn spread(editor: &Editor<'_>, [a, b]: [VertexId; 2]) -> f64 {
     }
 }
 
+/// Quality (AR) of a triangle, negative for one that faces against `normal`.
+pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
+    mesh_core::aspect_ratio(t).copysign(mesh_core::vector_area(t).dot(normal))
+}
+
 /// What the cost falls by when the edge is flipped; negative infinity where it can't be.
 pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
-    let [Some(c), Some(d)] = editor.opposite(a, b) else { return f64::NEG_INFINITY };
+    let [Some((f, c)), Some((g, d))] = editor.faces_beside(a, b) else { return f64::NEG_INFINITY };
     if editor.span(a, b).is_some() || c == d || editor.is_edge(c, d) || editor.valence(a) <= 3 || editor.valence(b) <= 3 {
         return f64::NEG_INFINITY;
     }
     let p = |v| editor.position(v);
-    let before = pair_cost([p(a), p(b), p(c)], [p(b), p(a), p(d)]);
-    let after = pair_cost([p(a), p(d), p(c)], [p(d), p(b), p(c)]);
+    let before = pair_cost(([p(a), p(b), p(c)], f.normal), ([p(b), p(a), p(d)], g.normal));
+    let normal = (f.normal + g.normal).normalize_or_zero();
+    let after = pair_cost(([p(a), p(d), p(c)], normal), ([p(d), p(b), p(c)], normal));
     let excess = |v: VertexId, shift: f64| (editor.valence(v) as f64 + shift - ideal_valence(editor, v)).powi(2);
     let valences = |shift: f64| excess(a, -shift) + excess(b, -shift) + excess(c, shift) + excess(d, shift);
     before - after + VALENCE_COST * (valences(0.0) - valences(1.0))
 }
 
 /// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones.
-fn pair_cost(s: [DVec3; 3], t: [DVec3; 3]) -> f64 {
-    let fold = 1.0 - mesh_core::normal(s).dot(mesh_core::normal(t));
-    inverse_mean_ratio(s) + inverse_mean_ratio(t) + FOLD_COST * fold
+fn pair_cost(s: ([DVec3; 3], DVec3), t: ([DVec3; 3], DVec3)) -> f64 {
+    let fold = 1.0 - mesh_core::normal(s.0).dot(mesh_core::normal(t.0));
+    inverse_mean_ratio(s.0, s.1) + inverse_mean_ratio(t.0, t.1) + FOLD_COST * fold
 }
 
-/// `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, 1 for an equilateral triangle.
-fn inverse_mean_ratio([a, b, c]: [DVec3; 3]) -> f64 {
+/// `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, 1 for an equilateral triangle that faces along `normal`; the area `A` is that seen along it.
+fn inverse_mean_ratio(t: [DVec3; 3], normal: DVec3) -> f64 {
+    let [a, b, c] = t;
     let edges = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
-    let ratio = edges / (4.0 * 3f64.sqrt() * mesh_core::area([a, b, c]));
-    if ratio.is_finite() { ratio.min(WORST_SHAPE) } else { WORST_SHAPE }
+    let ratio = edges / (4.0 * 3f64.sqrt() * mesh_core::vector_area(t).dot(normal));
+    if (0.0..WORST_SHAPE).contains(&ratio) { ratio } else { WORST_SHAPE }
 }
 
 /// The number of edges that divides the angle round a vertex into steps of 60 degrees.
@@ -52,9 +62,9 @@ fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
     if let Attachment::Sheet(_) = editor.attachment(v) {
         return 6.0;
     }
-    let angle_in = |f: [VertexId; 3]| {
-        let c = f.iter().position(|&w| w == v).unwrap_or(0);
-        mesh_core::angles(f.map(|w| editor.position(w)))[c]
+    let angle_in = |f: Face| {
+        let c = f.vertices.iter().position(|&w| w == v).unwrap_or(0);
+        mesh_core::angles(editor.triangle(&f))[c]
     };
     let angle: f64 = editor.faces_at(v).map(angle_in).sum();
     angle / 60f64.to_radians() + f64::from(editor.ring(v).is_some_and(|r| !r.closed))
@@ -62,9 +72,9 @@ fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
 
 /// The triangles that a collapse would leave.
 pub(crate) struct CollapsedShape {
-    /// Least quality (AR) among them, 0 for one that is turned against the one it replaces.
+    /// Least quality (AR) among them, -1 for one that is turned far from the surface.
     pub(crate) quality: f64,
-    /// Least quality among those that are there now.
+    /// Least quality among those that are there now, negative for one that faces against the surface.
     pub(crate) quality_before: f64,
     /// Longest edge among them.
     pub(crate) longest: f64,
@@ -78,15 +88,14 @@ pub(crate) fn collapsed_shape(editor: &Editor<'_>, from: VertexId, to: VertexId)
     let target = editor.position(to);
     let mut shape = CollapsedShape { quality: 1.0, quality_before: 1.0, longest: 0.0 };
     for face in editor.faces_at(from) {
-        let now = face.map(|v| editor.position(v));
-        shape.quality_before = shape.quality_before.min(mesh_core::aspect_ratio(now));
-        if face.contains(&to) {
+        shape.quality_before = shape.quality_before.min(signed_quality(editor.triangle(&face), face.normal));
+        if face.vertices.contains(&to) {
             continue;
         }
-        let then = face.map(|v| if v == from { target } else { editor.position(v) });
-        let turned = mesh_core::normal(now).dot(mesh_core::normal(then)) < 0.3;
-        shape.quality = shape.quality.min(if turned { 0.0 } else { mesh_core::aspect_ratio(then) });
-        for v in face {
+        let then = face.vertices.map(|v| if v == from { target } else { editor.position(v) });
+        let turned = mesh_core::normal(then).dot(face.normal) < MOST_TURNED;
+        shape.quality = shape.quality.min(if turned { -1.0 } else { mesh_core::aspect_ratio(then) });
+        for v in face.vertices {
             shape.longest = shape.longest.max(target.distance(editor.position(v)));
         }
     }

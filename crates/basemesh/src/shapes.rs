@@ -2,7 +2,7 @@
 
 use crate::{BaseOptions, build};
 use mesh_core::{FaceId, Id, IdVec, Topology, TriMesh};
-use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation};
+use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation, SheetNormals, Surface};
 use segment_cvt::{CvtOptions, SizingField, sample};
 
 /// A mesh with its network and patches.
@@ -10,8 +10,8 @@ pub(crate) struct Shape {
     pub(crate) mesh: TriMesh,
     pub(crate) topology: Topology,
     pub(crate) network: Network,
-    pub(crate) segmentation: Segmentation,
     pub(crate) cells: Cells,
+    normals: SheetNormals,
 }
 
 impl Shape {
@@ -29,7 +29,12 @@ impl Shape {
         let patch_of_face = patches.iter().map(|&p| PatchId(p)).collect();
         let segmentation = Segmentation { patch_of_face, n_patches };
         let cells = Cells::trace(&mesh, &topology, &network, &segmentation).unwrap();
-        Self { mesh, topology, network, segmentation, cells }
+        let normals = SheetNormals::new(&mesh, &topology, &network);
+        Self { mesh, topology, network, cells, normals }
+    }
+
+    pub(crate) fn surface(&self) -> Surface<'_> {
+        Surface { mesh: &self.mesh, topology: &self.topology, network: &self.network, normals: &self.normals }
     }
 
     pub(crate) fn cube() -> Self {
@@ -67,7 +72,7 @@ impl Shape {
             sample(&self.mesh, &self.cells, &SizingField::uniform(), &CvtOptions { base_vertices: n, ..Default::default() })
                 .unwrap();
         let options = BaseOptions { base_vertices: n, rounds };
-        build(&self.mesh, &self.topology, &self.network, &self.cells, &sampled.sites, &options).unwrap()
+        build(&self.surface(), &self.cells, &sampled.sites, &options).unwrap()
     }
 
     /// Points spread over the surface.

@@ -30,7 +30,8 @@ fn a_box_of_twelve_triangles_needs_eight_vertices() {
 
 /// Makes edits that bytes choose: which edge, and what to do with it.
 fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usize) {
-    let mut editor = Editor::new(&shape.mesh, &shape.topology, &shape.network, base).unwrap();
+    let surface = shape.surface();
+    let mut editor = Editor::new(&surface, base).unwrap();
     let mut done = 0;
     for &(edge, what) in choices {
         let edges = editor.edges();
@@ -40,7 +41,7 @@ fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usiz
             1 => editor.split(a, b).is_some(),
             2 => editor.collapse(a, b),
             3 => editor.collapse(b, a),
-            _ => editor.relax_vertex(a, |_| 1.0),
+            _ => editor.relax_vertex(a),
         });
         assert_eq!(editor.n_vertices(), editor.vertices().len());
     }

@@ -43,8 +43,8 @@ pub enum MapError {
     /// A piece is folded or has no area in the plane.
     #[error("piece {0} of a chart is folded or has no area")]
     Folded(usize),
-    /// A chart has no pieces, or a coordinate that is not finite.
-    #[error("a chart has no pieces or a coordinate that is not finite")]
+    /// A chart has no pieces, a vertex that is not there, or a coordinate that is not finite.
+    #[error("a chart has no pieces, a vertex that is not there, or a coordinate that is not finite")]
     Invalid,
     /// Old and new triangles of an edit don't cover the same area, or one is folded.
     #[error("an edit of the base mesh does not cover the same flat area before and after")]
@@ -54,14 +54,15 @@ pub enum MapError {
 impl Chart {
     /// Takes a chart whose pieces must all be counter-clockwise in the plane (decided exactly).
     pub fn new(uv: Vec<DVec2>, faces: Vec<ChartFace>) -> Result<Self, MapError> {
-        for (i, f) in faces.iter().enumerate() {
-            let [a, b, c] = f.vertices.map(|v| uv[v as usize]);
-            if orient2d(a, b, c) <= 0.0 {
-                return Err(MapError::Folded(i));
-            }
-        }
         let flat = TriMesh::new(uv.iter().map(|p| p.extend(0.0)).collect(), faces.iter().map(|f| f.vertices).collect());
         let flat = flat.ok().filter(|m| m.n_faces() > 0).ok_or(MapError::Invalid)?;
+        let folded = |f: &ChartFace| {
+            let [a, b, c] = f.vertices.map(|v| uv[v as usize]);
+            orient2d(a, b, c) <= 0.0
+        };
+        if let Some(i) = faces.iter().position(folded) {
+            return Err(MapError::Folded(i));
+        }
         let mut by_source: Vec<_> = faces.iter().enumerate().map(|(i, f)| (f.source, i as u32)).collect();
         by_source.sort_unstable();
         Ok(Self { index: SurfaceIndex::new(&flat), uv, faces, by_source })
@@ -89,15 +90,14 @@ impl Chart {
     pub fn find(&self, point: SurfacePoint) -> Option<DVec2> {
         let start = self.by_source.partition_point(|&(f, _)| f < point.face);
         let pieces = self.by_source[start..].iter().take_while(|(f, _)| *f == point.face);
-        let (_, piece, w) = pieces
+        let (piece, w) = pieces
             .map(|&(_, i)| {
                 let piece = &self.faces[i as usize];
-                let w = DMat3::from_cols(piece.barycentric[0], piece.barycentric[1], piece.barycentric[2]).inverse()
-                    * point.barycentric;
-                (if w.is_finite() { w.min_element() } else { f64::NEG_INFINITY }, piece, w)
+                let [a, b, c] = piece.barycentric;
+                (piece, DMat3::from_cols(a, b, c).inverse() * point.barycentric)
             })
-            .max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let w = if w.is_finite() { w.max(DVec3::ZERO) / w.max(DVec3::ZERO).element_sum() } else { DVec3::splat(1.0 / 3.0) };
+            .max_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))?;
+        let w = clamped(w);
         let [a, b, c] = piece.vertices.map(|v| self.uv[v as usize]);
         Some(w.x * a + w.y * b + w.z * c)
     }
@@ -155,17 +155,11 @@ impl BaseMap {
         self.edits.len()
     }
 
-    /// Replaces faces, laid out flat, by new triangles of the same polygon. Fails, changing nothing, when one is folded or the
-    /// areas differ.
+    /// Replaces faces, laid out flat, by new triangles of the same polygon. Fails, changing nothing, when one is folded, the
+    /// areas differ, or a face was replaced before.
     pub fn replace(&mut self, old: &[(MapFaceId, [DVec2; 3])], new: &[[DVec2; 3]]) -> Result<Vec<MapFaceId>, MapError> {
-        let area = |[a, b, c]: [DVec2; 3]| 0.5 * (b - a).perp_dot(c - a);
-        let (mut before, mut after) = (0.0, 0.0);
-        for (sum, t) in old.iter().map(|o| (false, o.1)).chain(new.iter().map(|&n| (true, n))) {
-            if orient2d(t[0], t[1], t[2]) <= 0.0 {
-                return Err(MapError::Uncovered);
-            }
-            *(if sum { &mut after } else { &mut before }) += area(t);
-        }
+        let before = unfolded_area(old.iter().map(|o| &o.1)).ok_or(MapError::Uncovered)?;
+        let after = unfolded_area(new).ok_or(MapError::Uncovered)?;
         // Layouts are of unit scale and have few triangles: rounding is far below this.
         if (before - after).abs() > 1e-9 * before || old.iter().any(|(f, _)| self.faces[*f].replaced_by.is_some()) {
             return Err(MapError::Uncovered);
@@ -216,20 +210,39 @@ fn at(t: &[DVec2; 3], w: DVec3) -> DVec2 {
     w.x * t[0] + w.y * t[1] + w.z * t[2]
 }
 
+/// The area of flat triangles, `None` when one of them is folded or has none.
+fn unfolded_area<'a>(triangles: impl IntoIterator<Item = &'a [DVec2; 3]>) -> Option<f64> {
+    let area = |&[a, b, c]: &[DVec2; 3]| (orient2d(a, b, c) > 0.0).then(|| 0.5 * (b - a).perp_dot(c - a));
+    triangles.into_iter().map(area).sum()
+}
+
 /// The triangle that holds `p` (or comes nearest to), and the barycentric coordinates of `p` in it, clamped. `otherwise` without triangles.
 fn containing<'a>(
     triangles: impl Iterator<Item = (MapFaceId, &'a [DVec2; 3])>,
     p: DVec2,
     otherwise: MapFaceId,
 ) -> (MapFaceId, DVec3) {
-    triangles
+    let (face, w) = triangles
         .map(|(f, t)| (f, flat_barycentric(t, p)))
-        .max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element()).then(b.0.cmp(&a.0)))
-        .map_or((otherwise, DVec3::splat(1.0 / 3.0)), |(f, w)| (f, w.max(DVec3::ZERO) / w.max(DVec3::ZERO).element_sum()))
+        .max_by(|a, b| depth(a.1).total_cmp(&depth(b.1)).then(b.0.cmp(&a.0)))
+        .unwrap_or((otherwise, DVec3::ONE));
+    (face, clamped(w))
 }
 
-/// Barycentric coordinates of `p` in a flat triangle with area.
-fn flat_barycentric(&[a, b, c]: &[DVec2; 3], p: DVec2) -> DVec3 {
+/// How deep inside its triangle a point lies: its least barycentric coordinate, negative outside. Triangles so small that their
+/// coordinates are not finite come last.
+fn depth(barycentric: DVec3) -> f64 {
+    if barycentric.is_finite() { barycentric.min_element() } else { f64::NEG_INFINITY }
+}
+
+/// Barycentric coordinates brought into the triangle; its middle where they are not finite.
+fn clamped(barycentric: DVec3) -> DVec3 {
+    let w = if barycentric.is_finite() { barycentric.max(DVec3::ZERO) } else { DVec3::ONE };
+    w / w.element_sum()
+}
+
+/// Barycentric coordinates of `p` in a flat triangle with area; negative ones outside of it.
+pub fn flat_barycentric(&[a, b, c]: &[DVec2; 3], p: DVec2) -> DVec3 {
     let w = DVec3::new((c - b).perp_dot(p - b), (a - c).perp_dot(p - c), (b - a).perp_dot(p - a));
     w / w.element_sum()
 }

@@ -1,7 +1,7 @@
 //! The cells of a segmentation: patches, the arcs between them and the corners where arcs meet.
 
-use crate::chain::{spokes, trace_chains};
-use crate::network::{on_edge, segment};
+use crate::chain::{Chain, spokes, trace_chains};
+use crate::network::{both_sides, on_edge, segment};
 use crate::{ArcSpan, Network, PatchId, Segmentation};
 use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
@@ -88,37 +88,31 @@ impl Cells {
             let h = topology.halfedge(e);
             topology.twin(h).is_none_or(|twin| patch(twin) != patch(h))
         };
+        check_connected(topology, segmentation, separates)?;
         if let Some(e) = topology.edge_ids().find(|&e| network.is_barrier(e) && !separates(e)) {
             return Err(CellError::ArcInside(patch(topology.halfedge(e))));
         }
         let mut is_corner = IdVec::<VertexId, bool>::filled(false, topology.n_vertices());
         for v in mesh.positions().ids() {
+            let Some(h) = topology.fan(v).next() else { continue };
             let degree = spokes(topology, v).filter(|&h| separates(topology.edge(h))).count();
             is_corner[v] = degree > 2 || network.corner_of_vertex[v].is_some();
-            if degree == 0
-                && is_corner[v]
-                && let Some(h) = topology.fan(v).next()
-            {
+            if is_corner[v] && degree == 0 {
                 return Err(CellError::CornerInside(patch(h), v));
             }
         }
-        let mut chains = trace_chains(topology, separates, |v| is_corner[v]);
+        let chains = trace_chains(topology, separates, |v| is_corner[v]);
         // A closed chain without corner gets one where the trace began.
         chains.iter().for_each(|c| is_corner[c.vertices[0]] = true);
-        let mut corners = IdVec::new();
-        let mut corner_of: IdVec<VertexId, Option<CellCornerId>> = IdVec::filled(None, topology.n_vertices());
-        for v in mesh.positions().ids().filter(|&v| is_corner[v]) {
-            corner_of[v] = Some(corners.push(v));
-        }
-        let arcs: IdVec<CellArcId, CellArc> = chains
-            .drain(..)
-            .filter_map(|c| {
-                let ends = [corner_of[c.vertices[0]]?, corner_of[*c.vertices.last()?]?];
-                let lengths = c.lengths(mesh);
-                let on = covered(topology, network, &c.vertices, &c.halfedges, lengths.last().copied()?);
-                Some(CellArc { lengths, corners: ends, on, vertices: c.vertices, halfedges: c.halfedges })
-            })
-            .collect();
+        let corners: IdVec<CellCornerId, VertexId> = mesh.positions().ids().filter(|&v| is_corner[v]).collect();
+        let corner_of: FxHashMap<VertexId, CellCornerId> = corners.enumerate().map(|(c, &v)| (v, c)).collect();
+        let arc = |c: Chain| {
+            let ends = [c.vertices[0], c.vertices[c.vertices.len() - 1]].map(|v| corner_of[&v]);
+            let lengths = c.lengths(mesh);
+            let on = covered(topology, network, &c, lengths[lengths.len() - 1]);
+            CellArc { lengths, corners: ends, on, vertices: c.vertices, halfedges: c.halfedges }
+        };
+        let arcs = chains.into_iter().map(arc).collect();
         let patches = borders(topology, segmentation, &arcs)?;
         Ok(Self { corners, arcs, patches })
     }
@@ -126,14 +120,9 @@ impl Cells {
     /// The patches on the left and on the right of an arc, `None` outside of the surface.
     pub fn beside(&self, topology: &Topology, segmentation: &Segmentation, arc: CellArcId) -> [Option<PatchId>; 2] {
         let a = &self.arcs[arc];
-        let h = a.halfedges[0];
-        let patch = |h: HalfedgeId| segmentation.patch_of_face[h.face()];
-        let both = [Some(patch(h)), topology.twin(h).map(patch)];
-        if topology.from(h) == a.vertices[0] { both } else { [both[1], both[0]] }
+        both_sides(topology, a.halfedges[0], a.vertices[0]).map(|h| Some(segmentation.patch_of_face[h?.face()]))
     }
-}
 
-impl Cells {
     /// How many segments every arc needs so that no two base edges have the same ends: 3 on a closed arc, 2 where another arc
     /// shares both ends, else 1.
     pub fn least_segments(&self) -> IdVec<CellArcId, usize> {
@@ -154,23 +143,33 @@ impl Cells {
     }
 }
 
-/// The part of a network arc that a chain covers.
-fn covered(
+/// A patch in several parts is not a disk, whatever its border and Euler number say.
+fn check_connected(
     topology: &Topology,
-    network: &Network,
-    vertices: &[VertexId],
-    halfedges: &[HalfedgeId],
-    length: f64,
-) -> Option<ArcSpan> {
-    let id = network.arc_of_edge[topology.edge(halfedges[0])]?;
-    let arc = &network.arcs[id];
-    let step = arc.vertices.windows(2).position(|w| w == [vertices[0], vertices[1]]);
-    let back = arc.vertices.windows(2).position(|w| w == [vertices[1], vertices[0]]);
-    match (step, back) {
-        (Some(i), _) => Some(ArcSpan { arc: id, from: arc.lengths[i], to: arc.lengths[i] + length }),
-        (None, Some(i)) => Some(ArcSpan { arc: id, from: arc.lengths[i + 1], to: arc.lengths[i + 1] - length }),
-        (None, None) => None,
+    segmentation: &Segmentation,
+    separates: impl Fn(EdgeId) -> bool,
+) -> Result<(), CellError> {
+    let (parts, _) = topology.regions(|e| !separates(e));
+    let mut part_of: IdVec<PatchId, Option<u32>> = IdVec::filled(None, segmentation.n_patches);
+    for (f, &patch) in segmentation.patch_of_face.enumerate() {
+        if *part_of[patch].get_or_insert(parts[f]) != parts[f] {
+            return Err(CellError::NotADisk(patch));
+        }
     }
+    Ok(())
+}
+
+/// The part of a network arc that a chain of this length covers.
+fn covered(topology: &Topology, network: &Network, chain: &Chain, length: f64) -> Option<ArcSpan> {
+    let id = network.arc_of_edge[topology.edge(chain.halfedges[0])]?;
+    let arc = &network.arcs[id];
+    let [first, second] = [chain.vertices[0], chain.vertices[1]];
+    let (i, edge) = arc.vertices.windows(2).enumerate().find(|(_, w)| **w == [first, second] || **w == [second, first])?;
+    Some(if edge[0] == first {
+        ArcSpan { arc: id, from: arc.lengths[i], to: arc.lengths[i] + length }
+    } else {
+        ArcSpan { arc: id, from: arc.lengths[i + 1], to: arc.lengths[i + 1] - length }
+    })
 }
 
 /// Walks round every patch and collects its arcs.

@@ -19,7 +19,7 @@ mod segmentation;
 mod sheet_normals;
 mod sites;
 
-pub use base_map::{BaseMap, Chart, ChartFace, ChartId, MapError, MapFaceId};
+pub use base_map::{BaseMap, Chart, ChartFace, ChartId, MapError, MapFaceId, flat_barycentric};
 pub use base_mesh::{BaseCounts, BaseMesh};
 pub use cells::{CellArc, CellArcId, CellCornerId, CellError, CellPatch, Cells};
 pub use mesh_core::SurfacePoint;

@@ -2,7 +2,7 @@
 
 use crate::chain::{spokes, trace_chains};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
+use mesh_core::{EdgeId, FaceId, HalfedgeId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
 
 define_id! {
     /// A corner of the network: it never moves.
@@ -37,6 +37,8 @@ pub struct Arc {
     pub lengths: Vec<f64>,
     /// The corners at both ends (they may be the same one), `None` for a closed chain without corner.
     pub corners: Option<[CornerId; 2]>,
+    /// The sheets on its left and on its right, `None` outside of the surface. They are the same where it ends inside a sheet.
+    pub sheets: [Option<SheetId>; 2],
 }
 
 impl Arc {
@@ -77,9 +79,7 @@ impl Arc {
     /// against it; one of them is `None` on the border.
     pub fn sides(&self, topology: &Topology, t: f64) -> [Option<HalfedgeId>; 2] {
         let (i, _) = self.segment(t);
-        let h = self.halfedges[i];
-        let both = [Some(h), topology.twin(h)];
-        if topology.from(h) == self.vertices[i] { both } else { [both[1], both[0]] }
+        both_sides(topology, self.halfedges[i], self.vertices[i])
     }
 }
 
@@ -124,7 +124,8 @@ impl Network {
     /// Traces the arcs along all edges that have a kind, between corners.
     ///
     /// Corners are the vertices for which `is_corner` holds and all whose number of feature edges is neither 0 nor 2, or where
-    /// two kinds meet. Border edges must have a kind (they always bound). `minor` is kept as given.
+    /// two kinds meet; a vertex without faces is none. Border edges must have a kind (they always bound). `minor` is kept as
+    /// given.
     pub fn trace(
         mesh: &TriMesh,
         topology: &Topology,
@@ -135,33 +136,25 @@ impl Network {
         let mut corners = IdVec::new();
         let mut corner_of_vertex = IdVec::filled(None, topology.n_vertices());
         for v in mesh.positions().ids() {
-            let mut at_vertex = spokes(topology, v).filter_map(|h| kinds[topology.edge(h)]);
-            let first = at_vertex.next();
-            let (mut degree, mut mixed) = (usize::from(first.is_some()), false);
-            for kind in at_vertex {
-                degree += 1;
-                mixed |= Some(kind) != first;
-            }
-            if is_corner(v) || (degree != 0 && (degree != 2 || mixed)) {
+            if topology.fan(v).next().is_some() && (is_corner(v) || ends_arcs(topology, kinds, v)) {
                 corner_of_vertex[v] = Some(corners.push(v));
             }
         }
-        let chains = trace_chains(topology, |e| kinds[e].is_some(), |v| corner_of_vertex[v].is_some());
+        let (regions, n_sheets) = topology.regions(|e| kinds[e].is_none());
+        let sheet_of_face: IdVec<FaceId, SheetId> = regions.iter().map(|&r| SheetId(r)).collect();
         let mut arcs = IdVec::new();
         let mut arc_of_edge = IdVec::filled(None, topology.n_edges());
-        for chain in chains {
+        for chain in trace_chains(topology, |e| kinds[e].is_some(), |v| corner_of_vertex[v].is_some()) {
             let Some(kind) = kinds[topology.edge(chain.halfedges[0])] else { continue };
+            for &h in &chain.halfedges {
+                arc_of_edge[topology.edge(h)] = Some(ArcId::new(arcs.len()));
+            }
             let ends = [chain.vertices[0], chain.vertices[chain.vertices.len() - 1]].map(|v| corner_of_vertex[v]);
             let corners = if let [Some(a), Some(b)] = ends { Some([a, b]) } else { None };
+            let sheets = both_sides(topology, chain.halfedges[0], chain.vertices[0]).map(|h| Some(sheet_of_face[h?.face()]));
             let lengths = chain.lengths(mesh);
-            let edges: Vec<EdgeId> = chain.halfedges.iter().map(|&h| topology.edge(h)).collect();
-            let id = arcs.push(Arc { kind, vertices: chain.vertices, halfedges: chain.halfedges, lengths, corners });
-            for e in edges {
-                arc_of_edge[e] = Some(id);
-            }
+            arcs.push(Arc { kind, vertices: chain.vertices, halfedges: chain.halfedges, lengths, corners, sheets });
         }
-        let (regions, n_sheets) = topology.regions(|e| kinds[e].is_none());
-        let sheet_of_face = regions.iter().map(|&r| SheetId(r)).collect();
         Self { corners, arcs, arc_of_edge, corner_of_vertex, sheet_of_face, n_sheets, minor }
     }
 
@@ -173,5 +166,21 @@ impl Network {
     /// Total length of all arcs.
     pub fn total_length(&self) -> f64 {
         self.arcs.iter().map(Arc::length).sum()
+    }
+}
+
+/// The two halfedges of the edge of `h`: the one that starts at `start`, and the other one.
+pub(crate) fn both_sides(topology: &Topology, h: HalfedgeId, start: VertexId) -> [Option<HalfedgeId>; 2] {
+    let twin = topology.twin(h);
+    if topology.from(h) == start { [Some(h), twin] } else { [twin, Some(h)] }
+}
+
+/// Do arcs end at a vertex because of the edges that meet there?
+fn ends_arcs(topology: &Topology, kinds: &IdVec<EdgeId, Option<ArcKind>>, v: VertexId) -> bool {
+    let mut at_vertex = spokes(topology, v).filter_map(|h| kinds[topology.edge(h)]);
+    match (at_vertex.next(), at_vertex.next(), at_vertex.next()) {
+        (None, ..) => false,
+        (Some(a), Some(b), None) => a != b,
+        _ => true,
     }
 }

@@ -64,7 +64,9 @@ impl<'a> Domain<'a> {
             freedoms[v] = match *attachment {
                 Attachment::Corner(_) => Freedom::Fixed,
                 Attachment::Arc { arc, t } => Freedom::Rail(rail(topology, map, v, arc, t)?),
-                Attachment::Sheet(sheet) if surface.network.sheet_of_face.get(map.points[v].face) == Some(&sheet) => Freedom::Sheet,
+                Attachment::Sheet(sheet) if surface.network.sheet_of_face.get(map.points[v].face) == Some(&sheet) => {
+                    Freedom::Sheet
+                }
                 Attachment::Sheet(_) => return Err(RelaxError::OtherSheet(v)),
             };
         }

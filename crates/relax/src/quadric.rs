@@ -4,11 +4,11 @@
 //! place, and to the weighted centroid `c` of its neighbours. With a unit normal the solution `-A^-1 b` (the paper's print has
 //! lost the sign) is closed: of the way to the centroid the part along the normal is divided by `1 + lambda`.
 
+use crate::QuadricOptions;
 use crate::domain::Domain;
 use crate::placement::Placement;
 use crate::quality::Quality;
 use crate::weights::vertex_weights;
-use crate::QuadricOptions;
 use glam::DVec3;
 use mesh_core::{IdVec, VertexId};
 
@@ -37,13 +37,7 @@ pub(crate) fn relax_quadric(domain: &Domain, start: Placement, options: &Quadric
 }
 
 /// The way of vertex `v` to the minimum of eq. 7.
-fn quadric_step(
-    domain: &Domain,
-    placement: &Placement,
-    weights: &IdVec<VertexId, f64>,
-    plane_weight: f64,
-    v: VertexId,
-) -> DVec3 {
+fn quadric_step(domain: &Domain, placement: &Placement, weights: &IdVec<VertexId, f64>, plane_weight: f64, v: VertexId) -> DVec3 {
     let (mut sum, mut total) = (DVec3::ZERO, 0.0);
     for w in domain.topology.one_ring(v) {
         sum += weights[w] * placement[w].position;

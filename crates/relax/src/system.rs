@@ -55,8 +55,12 @@ impl<'a> System<'a> {
     /// The sum of all elements, one for each face.
     pub(crate) fn assemble(pattern: &'a Pattern, topology: &Topology, elements: &[Element]) -> Self {
         let n = topology.n_vertices();
-        let mut system =
-            Self { pattern, diagonal: vec![DMat2::ZERO; n], blocks: vec![DMat2::ZERO; pattern.columns.len()], right: vec![DVec2::ZERO; n] };
+        let mut system = Self {
+            pattern,
+            diagonal: vec![DMat2::ZERO; n],
+            blocks: vec![DMat2::ZERO; pattern.columns.len()],
+            right: vec![DVec2::ZERO; n],
+        };
         for (f, element) in topology.faces().ids().zip(elements) {
             for (k, h) in topology.halfedges(f).into_iter().enumerate() {
                 let v = topology.from(h).index();
@@ -142,7 +146,8 @@ mod tests {
         let pattern = Pattern::new(&topology);
         // Each edge is in two faces, each vertex in three: diagonal 3 + 1, off the diagonal -1.
         let only_x = DMat2::from_diagonal(DVec2::X);
-        let element = || Element { diagonal: [only_x * (4.0 / 3.0); 3], off_diagonal: [only_x * -0.5; 3], right: [DVec2::ZERO; 3] };
+        let element =
+            || Element { diagonal: [only_x * (4.0 / 3.0); 3], off_diagonal: [only_x * -0.5; 3], right: [DVec2::ZERO; 3] };
         let elements: Vec<_> = (0..4).map(|_| element()).collect();
         let mut system = System::assemble(&pattern, &topology, &elements);
         let expected = [1.0, -2.0, 0.5, 3.0].map(|x| DVec2::new(x, 0.0));

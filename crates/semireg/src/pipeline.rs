@@ -106,6 +106,8 @@ pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
     let network = seconds.time("features", || features::detect(mesh, topology, &feature_options))?;
     let vsa = VsaOptions { max_patches: (wanted / VERTICES_A_PATCH).max(6), base_edge_length, ..Default::default() };
     let (mut segmentation, _) = seconds.time("segment", || segment_vsa::segment(mesh, topology, &network, &vsa))?;
+    let normals = SheetNormals::new(mesh, topology, &network);
+    let surface = Surface { mesh, topology, network: &network, normals: &normals };
     let mut warnings = Vec::new();
     let mut n_split = 0;
     loop {
@@ -113,7 +115,7 @@ pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
         let cvt = CvtOptions { base_vertices: wanted, seed: options.seed, ..Default::default() };
         let sampled = seconds.time("sample", || segment_cvt::sample(mesh, &cells, &SizingField::uniform(), &cvt))?;
         let base_options = BaseOptions { base_vertices: wanted, ..Default::default() };
-        let made = seconds.time("base", || basemesh::build(mesh, topology, &network, &cells, &sampled.sites, &base_options));
+        let made = seconds.time("base", || basemesh::build(&surface, &cells, &sampled.sites, &base_options));
         match made {
             Ok(base) => {
                 if n_split > 0 {

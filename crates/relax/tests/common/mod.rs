@@ -1,12 +1,15 @@
 //! Beds for the tests: a working mesh, and a subdivided domain that lies on it.
 
+#![allow(unreachable_pub, reason = "a module that only tests see")]
+
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, Id, IdVec, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId, walk};
+use mesh_core::{FaceId, Id, IdVec, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId, walk};
 use region_map::{ArcId, ArcKind, ArcSpan, Attachment, CornerId, Network, RegionMap, SheetId, SheetNormals, Surface};
 use relax::{RelaxError, RelaxOptions, Relaxed, relax};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+#[derive(Clone)]
 pub struct Bed {
     pub mesh: TriMesh,
     pub topology: Topology,
@@ -43,7 +46,8 @@ impl Bed {
         let normals = SheetNormals::new(&mesh, &topology, &network);
         let domain = TriMesh::new(vec![], vec![]).unwrap();
         let domain_topology = Topology::new(domain.faces(), 0).unwrap();
-        let map = RegionMap { attachments: IdVec::new(), points: IdVec::new(), sheet_of_face: IdVec::new(), spans: BTreeMap::new() };
+        let map =
+            RegionMap { attachments: IdVec::new(), points: IdVec::new(), sheet_of_face: IdVec::new(), spans: BTreeMap::new() };
         Self { index: SurfaceIndex::new(&mesh), mesh, topology, network, normals, domain, domain_topology, map }
     }
 
@@ -122,12 +126,13 @@ impl Bed {
     /// Moves every vertex inside a sheet at random by up to `share` of the mean length of its edges.
     pub fn jitter(mut self, share: f64, seed: u64) -> Self {
         let mut random = Random(seed);
-        for v in self.domain_topology.clone().faces().iter().flatten().copied().collect::<std::collections::BTreeSet<_>>() {
+        for v in self.map.vertices() {
             let direction = DVec3::new(random.next() - 0.5, random.next() - 0.5, random.next() - 0.5).normalize_or_zero();
             let ring: Vec<_> = self.domain_topology.one_ring(v).map(|w| self.domain.distance(v, w)).collect();
             let length = share * random.next() * ring.iter().sum::<f64>() / ring.len() as f64;
             if let Attachment::Sheet(_) = self.map.attachments[v] {
-                let end = walk(&self.mesh, &self.topology, self.map.points[v], length * direction, |e| !self.network.is_barrier(e));
+                let end =
+                    walk(&self.mesh, &self.topology, self.map.points[v], length * direction, |e| !self.network.is_barrier(e));
                 self.map.points[v] = end.end;
             }
         }
@@ -198,12 +203,40 @@ pub fn octahedron() -> Vec<DVec3> {
 pub fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let g = (1.0 + 5f64.sqrt()) / 2.0;
     let p = [
-        [-1.0, g, 0.0], [1.0, g, 0.0], [-1.0, -g, 0.0], [1.0, -g, 0.0], [0.0, -1.0, g], [0.0, 1.0, g],
-        [0.0, -1.0, -g], [0.0, 1.0, -g], [g, 0.0, -1.0], [g, 0.0, 1.0], [-g, 0.0, -1.0], [-g, 0.0, 1.0],
+        [-1.0, g, 0.0],
+        [1.0, g, 0.0],
+        [-1.0, -g, 0.0],
+        [1.0, -g, 0.0],
+        [0.0, -1.0, g],
+        [0.0, 1.0, g],
+        [0.0, -1.0, -g],
+        [0.0, 1.0, -g],
+        [g, 0.0, -1.0],
+        [g, 0.0, 1.0],
+        [-g, 0.0, -1.0],
+        [-g, 0.0, 1.0],
     ];
     let f = [
-        [0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
-        [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1],
+        [0, 11, 5],
+        [0, 5, 1],
+        [0, 1, 7],
+        [0, 7, 10],
+        [0, 10, 11],
+        [1, 5, 9],
+        [5, 11, 4],
+        [11, 10, 2],
+        [10, 7, 6],
+        [7, 1, 8],
+        [3, 9, 4],
+        [3, 4, 2],
+        [3, 2, 6],
+        [3, 6, 8],
+        [3, 8, 9],
+        [4, 9, 5],
+        [2, 4, 11],
+        [6, 2, 10],
+        [8, 6, 7],
+        [9, 8, 1],
     ];
     (p.iter().map(|&p| DVec3::from_array(p).normalize()).collect(), f.to_vec())
 }
@@ -334,13 +367,12 @@ pub fn frustum([bottom, top]: [f64; 2], height: f64, k: u32, levels: usize) -> B
 
 /// All bytes of a result that matter.
 pub fn bytes(relaxed: &Relaxed) -> Vec<u64> {
-    let points = relaxed.map.points.iter().flat_map(|p| [p.face.index() as u64].into_iter().chain(p.barycentric.to_array().map(f64::to_bits)));
+    let points = relaxed
+        .map
+        .points
+        .iter()
+        .flat_map(|p| [p.face.index() as u64].into_iter().chain(p.barycentric.to_array().map(f64::to_bits)));
     let spans = relaxed.map.spans.values().flat_map(|s| [s.from.to_bits(), s.to.to_bits()]);
     let positions = relaxed.mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits));
     points.chain(spans).chain(positions).collect()
-}
-
-/// The valence of a corner of the domain, to keep the import of halfedges in use.
-pub fn faces_at(topology: &Topology, v: VertexId) -> Vec<FaceId> {
-    topology.fan(v).map(HalfedgeId::face).collect()
 }
