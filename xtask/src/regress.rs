@@ -9,11 +9,13 @@ mod remesher;
 
 use crate::process::{cargo, must, output};
 use crate::root;
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use expected::Expected;
 use remesher::{Outcome, Remesher, Request};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 use std::time::Duration;
 
 #[derive(clap::Args, Default)]
@@ -63,7 +65,7 @@ fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<Stri
     println!("{}", remesher::HEADER);
     for (file, entry) in &mut expected.fixtures {
         let input = data.join(file);
-        let request = Request { input: &input, base_vertices: Some(entry.base_vertices), levels: entry.levels };
+        let request = Request { input: &input, base_vertices: Some(entry.base_vertices), levels: entry.levels, threads: None };
         let outcome = remesher.run(&request)?;
         println!("{}", outcome.row(file));
         problems.extend(outcome.fault().map(|fault| format!("{file}: {fault}")));
@@ -84,15 +86,30 @@ fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<Stri
     Ok(problems)
 }
 
+/// As many models at a time as there are processors, each on one thread; rows are printed as they come.
 fn models(remesher: &Remesher, folder: &Path) -> Result<Vec<String>> {
-    let mut problems = Vec::new();
     println!("\n{}", remesher::HEADER);
-    for file in files(folder)? {
-        let outcome = remesher.run(&Request { input: &folder.join(&file), base_vertices: None, levels: 3 })?;
-        println!("{}", outcome.row(&file));
-        problems.extend(outcome.fault().map(|fault| format!("{file}: {fault}")));
-    }
-    Ok(problems)
+    let files = files(folder)?;
+    let next = AtomicUsize::new(0);
+    let work = || -> Result<Vec<String>> {
+        let mut problems = Vec::new();
+        while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let request = Request { input: &folder.join(file), base_vertices: None, levels: 3, threads: Some(1) };
+            let outcome = remesher.run(&request)?;
+            println!("{}", outcome.row(file));
+            problems.extend(outcome.fault().map(|fault| format!("{file}: {fault}")));
+        }
+        Ok(problems)
+    };
+    let processors = thread::available_parallelism().map_or(1, |n| n.get());
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
+        let mut problems = Vec::new();
+        for worker in workers {
+            problems.extend(worker.join().map_err(|_| anyhow!("a worker of regress panicked"))??);
+        }
+        Ok(problems)
+    })
 }
 
 /// Names of the mesh files in a folder, sorted.

@@ -15,11 +15,8 @@ pub(crate) struct PatchChart {
     pub(crate) border: Vec<(VertexId, DVec2)>,
 }
 
-/// A chart may shrink areas to less than this share of their mean scale ...
+/// A chart shrinks a part of a patch where its scale is below this share of the mean scale.
 const SHRUNK: f64 = 0.25;
-/// ... over this share of the patch. Measured: convex patches stay below .01; beyond .05 the fine triangles that the map places turn
-/// over (fandisk's stepped side .09, the rabbit's back with both ears .2).
-const MAX_SHRUNK: f64 = 0.05;
 
 /// Charts a patch, `None` where it can't be laid flat well enough. `on_arcs` gives the sites of every arc (arc length and base vertex), `corner` the base vertex of a cell corner.
 pub(crate) fn chart(
@@ -28,6 +25,7 @@ pub(crate) fn chart(
     id: PatchId,
     on_arcs: &IdVec<CellArcId, Vec<(f64, VertexId)>>,
     corner: impl Fn(CellCornerId) -> VertexId,
+    max_shrunk: f64,
 ) -> Option<PatchChart> {
     let patch: &CellPatch = &cells.patches[id];
     let mut pieces = PieceMesh::new(mesh, &patch.faces);
@@ -49,7 +47,7 @@ pub(crate) fn chart(
     for weights in [Weights::Cotangent, Weights::Uniform] {
         let uv = tutte::solve(&pieces.positions, &pieces.pieces, &fixed, weights);
         let Ok(chart) = Chart::new(uv, pieces.pieces.clone()) else { continue };
-        if patch.faces.len() == 1 || shrunk_share(&pieces, &chart) <= MAX_SHRUNK {
+        if patch.faces.len() == 1 || shrunk_share(&pieces, &chart) <= max_shrunk {
             return Some(PatchChart { chart, border: corners });
         }
     }

@@ -7,10 +7,14 @@ use crate::layout::{are_unfolded, full_star, half_star, quad};
 use crate::shape::signed_quality;
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, SheetId, Surface, flat_barycentric};
+use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, SheetId, Sizing, Surface, flat_barycentric};
 
+/// An edge counts as at most this many times as long as its chord: half a circle over its diameter.
+const LONGEST_DETOUR: f64 = 1.6;
+/// Steps in which the length of an edge is measured on the surface.
+const LENGTH_STEPS: usize = 4;
 /// Moves shorter than this share of the mean edge of the star are not worth an edit.
-const LEAST_MOVE: f64 = 0.02;
+const LEAST_MOVE: f64 = 0.1;
 /// A move may make triangles worse as long as they stay better than this (AR).
 const GOOD_ENOUGH: f64 = 0.6;
 
@@ -99,6 +103,32 @@ impl<'a> Editor<'a> {
     /// Attachment of a vertex.
     pub(crate) fn attachment(&self, v: VertexId) -> Attachment {
         self.region.attachments[v]
+    }
+    /// Length on the surface of what the map makes of an edge, on an arc that of its span. A chord would not see a limb that the
+    /// edge cuts off; but where the map itself winds, splitting the edge would only wind it more, so the detour is bounded.
+    pub(crate) fn surface_length(&self, a: VertexId, b: VertexId) -> f64 {
+        if let Some(span) = self.span(a, b) {
+            return (span.to - span.from).abs();
+        }
+        let Some((face, corner)) = self.star[a].iter().find_map(|&f| {
+            let face = self.face(f)?;
+            Some((face, [face.corner(a)?, face.corner(b)?]))
+        }) else {
+            return 0.0;
+        };
+        let along = |i: usize| {
+            let s = i as f64 / LENGTH_STEPS as f64;
+            let mut weights = DVec3::ZERO;
+            (weights[corner[0]], weights[corner[1]]) = (1.0 - s, s);
+            self.map.locate(face.map, weights).position(self.surface.mesh)
+        };
+        let inner = (1..LENGTH_STEPS).map(along).chain([self.positions[b]]);
+        let length = inner.fold((0.0, self.positions[a]), |(sum, last), p| (sum + last.distance(p), p)).0;
+        length.min(LONGEST_DETOUR * self.positions[a].distance(self.positions[b]))
+    }
+    /// What the sizing field says at a vertex.
+    pub(crate) fn size(&self, sizing: &Sizing, v: VertexId) -> f64 {
+        sizing.at(self.surface.mesh, self.region.points[v])
     }
     /// Area of the working mesh.
     pub(crate) fn surface_area(&self) -> f64 {

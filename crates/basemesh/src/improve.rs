@@ -7,8 +7,9 @@
 
 use crate::BaseOptions;
 use crate::editor::Editor;
-use crate::shape::{collapsed_shape, flip_gain, spread};
+use crate::shape::{collapsed_shape, flip_gain};
 use mesh_core::VertexId;
+use region_map::Sizing;
 
 /// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
 /// neither makes work for the other).
@@ -16,7 +17,7 @@ const LONG: f64 = 4.0 / 3.0;
 /// See [`LONG`].
 const SHORT: f64 = 4.0 / 5.0;
 /// Moves of all vertices in a round.
-const MOVES: usize = 2;
+const MOVES: usize = 1;
 /// Quality (AR) that a collapse must leave, unless it was worse before.
 const LEAST_QUALITY: f64 = 0.25;
 /// Flips must gain this much, or rounding could make them cycle.
@@ -24,22 +25,23 @@ const LEAST_GAIN: f64 = 1e-6;
 /// Passes of flips after a round; most need two or three.
 const FLIP_PASSES: usize = 6;
 
-/// Brings the number of vertices to the request, as far as corners and arcs allow, and the triangles nearer to equilateral.
-pub(crate) fn improve(editor: &mut Editor<'_>, options: &BaseOptions) {
+/// Brings the number of vertices to the request, as far as corners and arcs allow, and the triangles nearer to equilateral, with
+/// edges as long as the sizing field says.
+pub(crate) fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
     if options.rounds == 0 {
         return;
     }
-    // eq. 3, then adapted: on a curved surface and along creases the count at a length is not known before.
+    // eq. 3, then adapted: on a curved surface, along creases and with a sizing field the count at a length is not known before.
     let mut length = (2.0 * editor.surface_area() / (3f64.sqrt() * options.base_vertices.max(4) as f64)).sqrt();
     flip_edges(editor);
     for _ in 0..options.rounds {
-        split_long(editor, LONG * length);
-        collapse_short(editor, SHORT * length, LONG * length);
+        split_long(editor, sizing, LONG * length);
+        collapse_short(editor, sizing, SHORT * length, LONG * length);
         settle(editor);
         let ratio = editor.n_vertices() as f64 / options.base_vertices as f64;
         length *= ratio.sqrt().clamp(0.8, 1.25);
     }
-    meet_count(editor, options.base_vertices);
+    meet_count(editor, sizing, options.base_vertices);
 }
 
 /// Flips and moves until neither gains much.
@@ -68,25 +70,27 @@ fn flip_edges(editor: &mut Editor<'_>) {
     }
 }
 
-/// Edges with their lengths, the longest first.
-fn by_length(editor: &Editor<'_>) -> Vec<(f64, [VertexId; 2])> {
-    let mut edges: Vec<_> = editor.edges().into_iter().map(|e| (spread(editor, e), e)).collect();
+/// Edges with their lengths over what the sizing field says, the longest first.
+fn by_length(editor: &Editor<'_>, sizing: &Sizing) -> Vec<(f64, [VertexId; 2])> {
+    let relative =
+        |[a, b]: [VertexId; 2]| editor.surface_length(a, b) / (0.5 * (editor.size(sizing, a) + editor.size(sizing, b)));
+    let mut edges: Vec<_> = editor.edges().into_iter().map(|e| (relative(e), e)).collect();
     edges.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     edges
 }
 
-fn split_long(editor: &mut Editor<'_>, limit: f64) {
-    for (length, [a, b]) in by_length(editor) {
+fn split_long(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64) {
+    for (length, [a, b]) in by_length(editor, sizing) {
         if length > limit && editor.is_edge(a, b) {
             editor.split(a, b);
         }
     }
 }
 
-fn collapse_short(editor: &mut Editor<'_>, limit: f64, longest: f64) {
-    for (length, [a, b]) in by_length(editor).into_iter().rev() {
+fn collapse_short(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64, longest: f64) {
+    for (length, [a, b]) in by_length(editor, sizing).into_iter().rev() {
         if length < limit && editor.is_edge(a, b) {
-            collapse_edge(editor, a, b, longest);
+            collapse_edge(editor, a, b, longest * editor.size(sizing, a).min(editor.size(sizing, b)));
         }
     }
 }
@@ -106,17 +110,17 @@ fn collapse_edge(editor: &mut Editor<'_>, a: VertexId, b: VertexId, longest: f64
 }
 
 /// Splits the longest and collapses the shortest edges until the number of vertices is the one wanted.
-fn meet_count(editor: &mut Editor<'_>, wanted: usize) {
+fn meet_count(editor: &mut Editor<'_>, sizing: &Sizing, wanted: usize) {
     while editor.n_vertices() != wanted {
         let before = editor.n_vertices();
         if before < wanted {
-            for (_, [a, b]) in by_length(editor).into_iter().take((wanted - before).div_ceil(2)) {
+            for (_, [a, b]) in by_length(editor, sizing).into_iter().take((wanted - before).div_ceil(2)) {
                 if editor.is_edge(a, b) && editor.n_vertices() < wanted {
                     editor.split(a, b);
                 }
             }
         } else {
-            for (_, [a, b]) in by_length(editor).into_iter().rev() {
+            for (_, [a, b]) in by_length(editor, sizing).into_iter().rev() {
                 if editor.is_edge(a, b) && editor.n_vertices() > wanted {
                     collapse_edge(editor, a, b, f64::INFINITY);
                 }

@@ -15,14 +15,6 @@ const WORST_SHAPE: f64 = 100.0;
 /// A collapse may turn a triangle so far from the surface's normal (a cosine).
 const MOST_TURNED: f64 = 0.3;
 
-/// Length of an edge, on an arc that of its span.
-pub(crate) fn spread(editor: &Editor<'_>, [a, b]: [VertexId; 2]) -> f64 {
-    match editor.span(a, b) {
-        Some(span) => (span.to - span.from).abs(),
-        None => editor.position(a).distance(editor.position(b)),
-    }
-}
-
 /// Quality (AR) of a triangle, negative for one that faces against `normal`.
 pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
     mesh_core::aspect_ratio(t).copysign(mesh_core::vector_area(t).dot(normal))

@@ -2,7 +2,7 @@
 
 use crate::{BaseOptions, build};
 use mesh_core::{FaceId, Id, IdVec, Topology, TriMesh};
-use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation, SheetNormals, Surface};
+use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation, SheetNormals, Sizing, Surface};
 use segment_cvt::{CvtOptions, SizingField, sample};
 
 /// A mesh with its network and patches.
@@ -71,8 +71,8 @@ impl Shape {
         let sampled =
             sample(&self.mesh, &self.cells, &SizingField::uniform(), &CvtOptions { base_vertices: n, ..Default::default() })
                 .unwrap();
-        let options = BaseOptions { base_vertices: n, rounds };
-        build(&self.surface(), &self.cells, &sampled.sites, &options).unwrap()
+        let options = BaseOptions { base_vertices: n, rounds, ..Default::default() };
+        build(&self.surface(), &self.cells, &sampled.sites, &Sizing::uniform(&self.mesh), &options).unwrap()
     }
 
     /// Points spread over the surface.

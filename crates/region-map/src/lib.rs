@@ -18,6 +18,7 @@ mod region_map;
 mod segmentation;
 mod sheet_normals;
 mod sites;
+mod sizing;
 
 pub use base_map::{BaseMap, Chart, ChartFace, ChartId, MapError, MapFaceId, flat_barycentric};
 pub use base_mesh::{BaseCounts, BaseMesh};
@@ -28,3 +29,4 @@ pub use region_map::{ArcSpan, Attachment, RegionMap, RegionMapError};
 pub use segmentation::{PatchId, Segmentation};
 pub use sheet_normals::{SheetNormals, Surface};
 pub use sites::Sites;
+pub use sizing::Sizing;

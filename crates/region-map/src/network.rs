@@ -55,7 +55,8 @@ impl Arc {
     /// The arc length `t` brought into `[0, length]`: wrapped around on a loop, else clamped.
     pub fn normalise(&self, t: f64) -> f64 {
         let length = self.length();
-        if self.is_loop() && length > 0.0 { t.rem_euclid(length).min(length) } else { t.clamp(0.0, length) }
+        let wrapped = if self.is_loop() && length > 0.0 { t.rem_euclid(length) } else { t };
+        wrapped.clamp(0.0, length)
     }
 
     /// The edge (its index in the chain) at arc length `t`, and how far along it, 0 to 1.

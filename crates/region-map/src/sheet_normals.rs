@@ -79,7 +79,8 @@ fn sectors(topology: &Topology, network: &Network, v: VertexId) -> Vec<Vec<Halfe
         }
     }
     // A closed fan may have begun in the middle of a sector.
-    let begins_inside = topology.fan(v).next().is_some_and(|h| topology.twin(h).is_some() && !network.is_barrier(topology.edge(h)));
+    let begins_inside =
+        topology.fan(v).next().is_some_and(|h| topology.twin(h).is_some() && !network.is_barrier(topology.edge(h)));
     if begins_inside
         && sectors.len() > 1
         && let Some(last) = sectors.pop()

@@ -16,7 +16,7 @@ pub struct RelaxOptions {
 pub struct QuadricOptions {
     /// Iterations at most; 0 leaves the part out. Default 10: it only smooths the start of the shape optimisation.
     pub iterations: usize,
-    /// Weights of the neighbours. Default adaptive.
+    /// Weights of the neighbours. Default uniform.
     pub weights: Weights,
     /// Weight of the distance to the tangent plane against that to the centroid, not negative. Default 1, the paper's.
     pub plane_weight: f64,
@@ -26,11 +26,15 @@ pub struct QuadricOptions {
 
 impl Default for QuadricOptions {
     fn default() -> Self {
-        Self { iterations: 10, weights: Weights::Adaptive, plane_weight: 1.0, target_quality: 1.0 }
+        Self { iterations: 10, weights: Weights::Uniform, plane_weight: 1.0, target_quality: 1.0 }
     }
 }
 
 /// Weights of the neighbours in the centroid.
+///
+/// Measured against the paper's claim, 40 iterations: adaptive weights make areas more even and shapes worse (AR and area
+/// variation, uniform to adaptive: octahedron .976 to .974, .27 to .27; kitten .952 to .924, .27 to .21; rabbit .804 to .796, .51
+/// to .47). So uniform is the default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weights {
     /// All 1 (section 4.3.1).
@@ -48,17 +52,22 @@ pub struct ShapeOptions {
     pub steps: usize,
     /// Power of the shape term, 1 or more: more lifts the worst triangles at the cost of the mean. Default 2.
     pub power: f64,
-    /// Weight of the size term against the shape term, not negative. Default 0.02.
+    /// Weight of the size term against the shape term, not negative. Default 0.1.
+    ///
+    /// Shape is bought with size: without the term triangles grow where the surface is thin, and the error with them. Measured
+    /// (rabbit from a QEM base, the hardest of three): 0.02 gives AR .979, greatest over least area 919, mean error 13.7e-5 of
+    /// the diagonal; 0.1 .971, 423, 13.2e-5; 1 .909, 64, 7.9e-5. On a rocker arm and a kitten 0.1 costs .002 of AR at most.
     pub size_weight: f64,
     /// The areas wanted.
     pub target: TargetArea,
-    /// Stop when a step lowers the energy (in excess of its least value, 1 a triangle) by less than this share. Default 1e-3.
+    /// Stop after three steps in a row that each lower the energy, as far as it exceeds its least value, by less than this share.
+    /// Default 1e-3.
     pub tolerance: f64,
 }
 
 impl Default for ShapeOptions {
     fn default() -> Self {
-        Self { untangling_steps: 60, steps: 30, power: 2.0, size_weight: 0.02, target: TargetArea::SheetMean, tolerance: 1e-3 }
+        Self { untangling_steps: 60, steps: 30, power: 2.0, size_weight: 0.1, target: TargetArea::SheetMean, tolerance: 1e-3 }
     }
 }
 

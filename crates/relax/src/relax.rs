@@ -38,9 +38,9 @@ pub struct RelaxReport {
 /// the arcs allow.
 ///
 /// Corners stay, vertices on arcs slide along them in their order, all others move inside their sheet. Vertices start at the
-/// points of `map`; the positions of `domain` are not read. No triangle that faces with the surface is turned over, inverted
-/// ones are turned back where that is possible, and the result is never worse than the start: it has no more inverted
-/// triangles, and with as many not a lower mean quality.
+/// points of `map`; the positions of `domain` are not read. Inverted triangles are turned back where that succeeds; on the way
+/// others may be turned over for a while. The result is never worse than the start: it has no more inverted triangles, and with
+/// as many not a lower mean quality. [`RelaxReport::end`] tells how many are left.
 ///
 /// Fails when the map does not fit the domain or the surface.
 pub fn relax(

@@ -5,14 +5,11 @@ use mesh_core::{IdVec, Topology, VertexId};
 
 /// The valence at which a vertex takes the mean of its neighbours' weights.
 const IDEAL_VALENCE: usize = 6;
-/// How often the weights are diffused. The paper does it once; once reaches two rings around an irregular vertex.
-const DIFFUSIONS: usize = 3;
-
 /// The weight of every vertex, positive.
 pub(crate) fn vertex_weights(topology: &Topology, weights: Weights) -> IdVec<VertexId, f64> {
     match weights {
         Weights::Uniform => IdVec::filled(1.0, topology.n_vertices()),
-        Weights::Adaptive => (0..DIFFUSIONS).fold(cubed_valences(topology), |w, _| diffused(topology, &w)),
+        Weights::Adaptive => diffused(topology, &cubed_valences(topology)),
     }
 }
 

@@ -5,8 +5,10 @@
 //! border sites `i = max(0, (T - b + 2) / 2)` with `T = integral dA / (sqrt(3)/4 h^2)` equilateral triangles of edge length `h`.
 
 use crate::SizingField;
+use crate::arc_measure::ArcMeasure;
+use crate::candidates::spread;
 use mesh_core::{IdVec, TriMesh};
-use region_map::{CellArcId, Cells, PatchId};
+use region_map::{CellArcId, CellPatch, Cells, PatchId};
 
 /// Segments of every arc and inner sites of every patch.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,12 +28,21 @@ pub struct Budget {
 /// Steps of the bisection: the edge length is then known to 1e-12 of its first bracket.
 const BISECTIONS: usize = 60;
 
+/// Points of a patch that the sizing field is averaged over: its triangles may be as large as the patch.
+const SAMPLES: usize = 256;
+
 /// Area of an equilateral triangle of edge length 1.
 const UNIT_TRIANGLE: f64 = 0.433_012_701_892_219_3;
 
 /// Finds the edge length whose total is the request, and hands out the last few sites by largest remainder.
-pub(crate) fn budget(mesh: &TriMesh, cells: &Cells, sizing: &SizingField, wanted: usize) -> Budget {
-    let demand = Demand::measure(mesh, cells, sizing);
+pub(crate) fn budget(
+    mesh: &TriMesh,
+    cells: &Cells,
+    arcs: &IdVec<CellArcId, ArcMeasure>,
+    sizing: &SizingField,
+    wanted: usize,
+) -> Budget {
+    let demand = Demand::measure(mesh, cells, arcs, sizing);
     let needed = demand.at(f64::INFINITY).total;
     // eq. 3, the edge length of `wanted` vertices without sizing field.
     let guess = (2.0 * mesh.total_area() / (3f64.sqrt() * wanted.max(1) as f64)).sqrt();
@@ -57,21 +68,18 @@ struct Demand {
 }
 
 impl Demand {
-    fn measure(mesh: &TriMesh, cells: &Cells, sizing: &SizingField) -> Self {
-        let minima = cells.least_segments();
-        let arcs = cells.arcs.enumerate().map(|(id, arc)| {
-            let spans = arc.lengths.windows(2).zip(arc.vertices.windows(2));
-            let integral =
-                spans.map(|(l, v)| (l[1] - l[0]) / sizing.relative(mesh.position(v[0]).midpoint(mesh.position(v[1])))).sum();
-            (integral, minima[id])
-        });
-        let patches = cells.patches.iter().map(|patch| {
-            patch.faces.iter().map(|&f| mesh.area(f) / (UNIT_TRIANGLE * sizing.relative(mesh.centroid(f)).powi(2))).sum()
-        });
+    fn measure(mesh: &TriMesh, cells: &Cells, arcs: &IdVec<CellArcId, ArcMeasure>, sizing: &SizingField) -> Self {
+        let patch = |patch: &CellPatch| {
+            let area: f64 = patch.faces.iter().map(|&f| mesh.area(f)).sum();
+            let points = spread(mesh, &patch.faces, sizing, SAMPLES, 0);
+            // Without area there are no points, and nothing is asked for.
+            let mean = points.iter().map(|c| c.weight.sqrt()).sum::<f64>() / points.len().max(1) as f64;
+            area * mean / UNIT_TRIANGLE
+        };
         Self {
             corners: cells.corners.len(),
-            arcs: arcs.collect(),
-            patches: patches.collect(),
+            arcs: arcs.iter().map(ArcMeasure::total).zip(&cells.least_segments()).map(|(m, &least)| (m, least)).collect(),
+            patches: cells.patches.iter().map(patch).collect(),
             borders: cells.patches.iter().map(|p| p.border.iter().map(|b| b.0).collect()).collect(),
         }
     }
@@ -97,13 +105,13 @@ impl Demand {
         self.corners + budget.segments.iter().map(|k| k - 1).sum::<usize>() + budget.inner.iter().sum::<usize>()
     }
 
-    /// Gives what is missing to the patches that rounding took most from.
+    /// Gives what is missing to the patches that rounding took most from, round and round.
     fn hand_out(&self, budget: &mut Budget, wanted: usize) {
         let mut by_remainder: Vec<(f64, PatchId)> =
             self.patches.ids().map(|p| (budget.inner[p] as f64 - self.exact_inner(budget, p), p)).collect();
         by_remainder.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let missing = wanted.saturating_sub(budget.total);
-        for (_, p) in by_remainder.into_iter().take(missing) {
+        for &(_, p) in by_remainder.iter().cycle().take(missing) {
             budget.inner[p] += 1;
         }
         budget.total = self.total(budget);

@@ -2,8 +2,10 @@
 //!
 //! [`sample`] takes the cells of a segmentation and a number of base vertices, and returns [`region_map::Sites`].
 
+mod arc_measure;
 mod budget;
 mod candidates;
+mod kd_tree;
 mod lloyd;
 mod options;
 mod sample;

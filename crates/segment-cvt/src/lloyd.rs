@@ -1,6 +1,7 @@
 //! Lloyd relaxation of the sites inside one patch (eq. 5, by area), with the border sites fixed.
 
 use crate::candidates::Candidate;
+use crate::kd_tree::KdTree;
 use glam::DVec3;
 use mesh_core::SurfacePoint;
 
@@ -8,24 +9,31 @@ use mesh_core::SurfacePoint;
 ///
 /// Ends when no site moves, when the energy no longer falls (rounding could cycle), or after `max_steps`.
 pub(crate) fn relaxed_sites(candidates: &[Candidate], border: &[DVec3], n: usize, max_steps: usize) -> Vec<SurfacePoint> {
-    let mut sites = farthest(candidates, border, n);
-    let mut energy = f64::INFINITY;
+    let to_border = squared_distances(candidates, border);
+    let mut sites = farthest(candidates, &to_border, n);
+    let (mut next, mut energy) = step(candidates, &to_border, &sites);
     for _ in 0..max_steps {
-        let (next, next_energy) = step(candidates, border, &sites);
-        if next == sites || next_energy >= energy {
+        if next == sites {
             break;
         }
-        (sites, energy) = (next, next_energy);
+        let (after, next_energy) = step(candidates, &to_border, &next);
+        if next_energy >= energy {
+            break;
+        }
+        (sites, next, energy) = (next, after, next_energy);
     }
     sites.iter().map(|&c| candidates[c].point).collect()
 }
 
+/// The squared distance of every candidate from the nearest border site.
+fn squared_distances(candidates: &[Candidate], border: &[DVec3]) -> Vec<f64> {
+    let nearest = |c: &Candidate| border.iter().map(|b| b.distance_squared(c.position)).fold(f64::INFINITY, f64::min);
+    candidates.iter().map(nearest).collect()
+}
+
 /// Indices of candidates, each the farthest from the border and all before it, in units of the local edge length.
-fn farthest(candidates: &[Candidate], border: &[DVec3], n: usize) -> Vec<usize> {
-    let mut gap: Vec<f64> = candidates
-        .iter()
-        .map(|c| border.iter().map(|b| b.distance_squared(c.position)).fold(f64::INFINITY, f64::min) * c.weight.sqrt())
-        .collect();
+fn farthest(candidates: &[Candidate], to_border: &[f64], n: usize) -> Vec<usize> {
+    let mut gap: Vec<f64> = candidates.iter().zip(to_border).map(|(c, d)| d * c.weight.sqrt()).collect();
     let mut sites = Vec::with_capacity(n);
     for _ in 0..n.min(candidates.len()) {
         let Some(best) = (0..gap.len()).max_by(|&a, &b| gap[a].total_cmp(&gap[b]).then(b.cmp(&a))) else { break };
@@ -39,36 +47,101 @@ fn farthest(candidates: &[Candidate], border: &[DVec3], n: usize) -> Vec<usize> 
 }
 
 /// One Lloyd step: the candidates nearest to the centroids of the cells, and the energy of the sites that it began with.
-fn step(candidates: &[Candidate], border: &[DVec3], sites: &[usize]) -> (Vec<usize>, f64) {
+fn step(candidates: &[Candidate], to_border: &[f64], sites: &[usize]) -> (Vec<usize>, f64) {
     let positions: Vec<DVec3> = sites.iter().map(|&s| candidates[s].position).collect();
-    let mut centroids = vec![(DVec3::ZERO, 0.0); sites.len()];
+    let tree = KdTree::new(positions.iter().copied());
+    let owners: Vec<(f64, Option<usize>)> =
+        candidates.iter().zip(to_border).map(|(c, &d)| owner(c.position, d, &positions, &tree)).collect();
+    let mut sums = vec![(DVec3::ZERO, 0.0); sites.len()];
     let mut energy = 0.0;
-    let mut cell = vec![usize::MAX; candidates.len()];
-    for (c, owner) in candidates.iter().zip(&mut cell) {
-        let to_border = border.iter().map(|b| b.distance_squared(c.position)).fold(f64::INFINITY, f64::min);
-        let mut nearest = to_border;
-        for (s, p) in positions.iter().enumerate() {
-            let d = p.distance_squared(c.position);
-            if d < nearest {
-                (nearest, *owner) = (d, s);
-            }
-        }
-        energy += c.weight * nearest;
-        if let Some((sum, weight)) = centroids.get_mut(*owner) {
-            *sum += c.weight * c.position;
-            *weight += c.weight;
+    for (c, &(squared_distance, owner)) in candidates.iter().zip(&owners) {
+        energy += c.weight * squared_distance;
+        if let Some(s) = owner {
+            sums[s].0 += c.weight * c.position;
+            sums[s].1 += c.weight;
         }
     }
-    let centroids: Vec<DVec3> =
-        centroids.iter().zip(&positions).map(|((sum, w), &p)| if *w > 0.0 { *sum / *w } else { p }).collect();
-    let mut next: Vec<(f64, usize)> = sites.iter().map(|&s| (f64::INFINITY, s)).collect();
-    for (i, (c, &owner)) in candidates.iter().zip(&cell).enumerate() {
-        if let Some(best) = next.get_mut(owner) {
-            let d = c.position.distance_squared(centroids[owner]);
-            if d < best.0 {
-                *best = (d, i);
-            }
+    let mut next: Vec<(f64, usize)> = sites.iter().map(|&c| (f64::INFINITY, c)).collect();
+    for (i, (c, &(_, owner))) in candidates.iter().zip(&owners).enumerate() {
+        let Some(s) = owner else { continue };
+        let d = c.position.distance_squared(sums[s].0 / sums[s].1);
+        if d < next[s].0 {
+            next[s] = (d, i);
         }
     }
     (next.into_iter().map(|(_, i)| i).collect(), energy)
+}
+
+/// The squared distance of the nearest site, and its index; `None` where the border is nearer. Of equal ones the border wins, then
+/// the lowest index.
+fn owner(position: DVec3, to_border: f64, sites: &[DVec3], tree: &KdTree) -> (f64, Option<usize>) {
+    let mut nearest = (to_border, None);
+    tree.search(position, to_border, |s| {
+        let found = (sites[s].distance_squared(position), Some(s));
+        if found < nearest {
+            nearest = found;
+        }
+        nearest.0
+    });
+    nearest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SizingField;
+    use crate::candidates::spread;
+
+    /// A square of two triangles, its candidates, and its corners as border sites.
+    fn square(n: usize) -> (Vec<Candidate>, Vec<DVec3>) {
+        let mesh = fixtures::plane();
+        let faces: Vec<_> = mesh.faces().ids().collect();
+        (spread(&mesh, &faces, &SizingField::uniform(), n, 0), mesh.positions().as_slice().to_vec())
+    }
+
+    #[test]
+    fn owners_are_those_of_the_full_search() {
+        let (candidates, border) = square(3000);
+        let to_border = squared_distances(&candidates, &border);
+        let sites: Vec<DVec3> = farthest(&candidates, &to_border, 40).iter().map(|&c| candidates[c].position).collect();
+        let tree = KdTree::new(sites.iter().copied());
+        let mut of_border = 0;
+        for (c, &d) in candidates.iter().zip(&to_border) {
+            let mut expected = (d, None);
+            for (s, site) in sites.iter().enumerate() {
+                if site.distance_squared(c.position) < expected.0 {
+                    expected = (site.distance_squared(c.position), Some(s));
+                }
+            }
+            assert_eq!(owner(c.position, d, &sites, &tree), expected);
+            of_border += usize::from(expected.1.is_none());
+        }
+        assert!(of_border > 0 && of_border < candidates.len());
+        // Two sites at one place: the first has it.
+        let twice = [sites[0], sites[0]];
+        assert_eq!(owner(sites[0], 1.0, &twice, &KdTree::new(twice.iter().copied())), (0.0, Some(0)));
+        assert_eq!(owner(sites[0], 0.0, &twice, &KdTree::new(twice.iter().copied())), (0.0, None));
+    }
+
+    #[test]
+    fn the_energy_falls_and_the_best_sites_are_kept() {
+        let (candidates, border) = square(2000);
+        let to_border = squared_distances(&candidates, &border);
+        let energy = |steps: usize| {
+            let sites = relaxed_sites(&candidates, &border, 12, steps);
+            let at = |p: &SurfacePoint| candidates.iter().position(|c| c.point == *p).unwrap();
+            step(&candidates, &to_border, &sites.iter().map(at).collect::<Vec<_>>()).1
+        };
+        let energies: Vec<f64> = [0, 1, 2, 5, 10, 60, 1000].map(energy).to_vec();
+        assert!(energies.windows(2).all(|w| w[1] <= w[0]), "{energies:?}");
+        assert!(energies[5] < 0.9 * energies[0], "{energies:?}");
+        assert_eq!(energies[6], energy(2000));
+    }
+
+    #[test]
+    fn more_sites_than_candidates_are_all_candidates() {
+        let (candidates, border) = square(3);
+        assert_eq!(relaxed_sites(&candidates, &border, 10, 5).len(), 3);
+        assert_eq!(relaxed_sites(&[], &border, 10, 5), []);
+    }
 }

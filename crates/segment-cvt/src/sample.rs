@@ -1,10 +1,11 @@
 //! The stage: budget, sites on arcs, sites in patches.
 
+use crate::arc_measure::ArcMeasure;
 use crate::{Budget, CvtOptions, SizingField, budget, candidates, lloyd};
 use glam::DVec3;
 use mesh_core::{Id, IdVec, SurfacePoint, TriMesh};
 use rayon::prelude::*;
-use region_map::{CellArc, CellArcId, CellPatch, Cells, PatchId, Sites};
+use region_map::{CellArcId, CellPatch, Cells, PatchId, Sites};
 
 /// Sites, and the budget that they were made by.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,9 +34,9 @@ pub fn sample(mesh: &TriMesh, cells: &Cells, sizing: &SizingField, options: &Cvt
     if mesh.total_area() <= 0.0 {
         return Err(CvtError::NoArea);
     }
-    let budget = budget::budget(mesh, cells, sizing, options.base_vertices);
-    let on_arcs: IdVec<CellArcId, Vec<f64>> =
-        cells.arcs.enumerate().map(|(id, arc)| even_steps(mesh, arc, sizing, budget.segments[id])).collect();
+    let measures: IdVec<CellArcId, ArcMeasure> = cells.arcs.iter().map(|arc| ArcMeasure::new(mesh, arc, sizing)).collect();
+    let budget = budget::budget(mesh, cells, &measures, sizing, options.base_vertices);
+    let on_arcs: IdVec<CellArcId, Vec<f64>> = measures.enumerate().map(|(id, m)| m.even_steps(budget.segments[id])).collect();
     let in_patches: Vec<Vec<SurfacePoint>> = cells
         .patches
         .as_slice()
@@ -44,26 +45,6 @@ pub fn sample(mesh: &TriMesh, cells: &Cells, sizing: &SizingField, options: &Cvt
         .map(|(i, patch)| in_patch(mesh, cells, patch, &on_arcs, sizing, budget.inner[PatchId::new(i)], options))
         .collect();
     Ok(Sampled { sites: Sites { on_arcs, in_patches: IdVec::from_vec(in_patches) }, budget })
-}
-
-/// Arc lengths that cut an arc into `k` parts of equal `integral ds / h`.
-fn even_steps(mesh: &TriMesh, arc: &CellArc, sizing: &SizingField, k: usize) -> Vec<f64> {
-    // The integral up to every vertex; the field is taken as constant along an edge.
-    let mut measure = vec![0.0];
-    for (l, v) in arc.lengths.windows(2).zip(arc.vertices.windows(2)) {
-        let h = sizing.relative(mesh.position(v[0]).midpoint(mesh.position(v[1])));
-        measure.push(measure[measure.len() - 1] + (l[1] - l[0]) / h);
-    }
-    let total = measure[measure.len() - 1];
-    (1..k)
-        .map(|i| {
-            let wanted = total * i as f64 / k as f64;
-            let e = measure.partition_point(|&m| m <= wanted).clamp(1, measure.len() - 1);
-            let part = measure[e] - measure[e - 1];
-            let s = if part > 0.0 { (wanted - measure[e - 1]) / part } else { 0.5 };
-            arc.lengths[e - 1] + s * (arc.lengths[e] - arc.lengths[e - 1])
-        })
-        .collect()
 }
 
 fn in_patch(

@@ -7,6 +7,7 @@ use mesh_core::{Cleaned, Soup, Topology, TriMesh};
 use region_map::{ArcKind, BaseMesh, Cells, Network, RegionMap, Segmentation, SheetNormals, Sites, Surface};
 use segment_cvt::{CvtOptions, SizingField};
 use segment_vsa::VsaOptions;
+use sizing::SizingOptions;
 
 /// What the stages up to the base mesh made.
 #[derive(Clone, Debug)]
@@ -94,6 +95,9 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
 /// Fewer, and nothing is left for the inside of the patches (design, section 3).
 const VERTICES_A_PATCH: usize = 16;
 
+/// So often patches are split for their distortion; later only those that have no chart at all.
+const SPLITTING_ROUNDS: usize = 4;
+
 /// The stages from cleaning to the base mesh.
 pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
     let mut seconds = StageSeconds::default();
@@ -109,13 +113,16 @@ pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
     let normals = SheetNormals::new(mesh, topology, &network);
     let surface = Surface { mesh, topology, network: &network, normals: &normals };
     let mut warnings = Vec::new();
-    let mut n_split = 0;
+    let (mut n_split, mut rounds) = (0, 0);
+    let sizing = seconds.time("sizing", || sizing::sizing(&surface, &SizingOptions::new(base_edge_length)));
     loop {
         let cells = Cells::trace(mesh, topology, &network, &segmentation)?;
         let cvt = CvtOptions { base_vertices: wanted, seed: options.seed, ..Default::default() };
         let sampled = seconds.time("sample", || segment_cvt::sample(mesh, &cells, &SizingField::uniform(), &cvt))?;
-        let base_options = BaseOptions { base_vertices: wanted, ..Default::default() };
-        let made = seconds.time("base", || basemesh::build(&surface, &cells, &sampled.sites, &base_options));
+        let distortion = if rounds < SPLITTING_ROUNDS { BaseOptions::default().max_shrunk } else { 1.0 };
+        let base_options = BaseOptions { base_vertices: wanted, max_shrunk: distortion, ..Default::default() };
+        rounds += 1;
+        let made = seconds.time("base", || basemesh::build(&surface, &cells, &sampled.sites, &sizing, &base_options));
         match made {
             Ok(base) => {
                 if n_split > 0 {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcSpan, Attachment, RegionMap};
+use region_map::{ArcSpan, Attachment, RegionMap, RegionMapError};
 
 /// A base mesh, subdivided.
 #[derive(Clone, Debug)]
@@ -32,6 +32,9 @@ pub enum SubdivError {
     /// The base mesh is not an oriented manifold.
     #[error("the base mesh is not an oriented manifold: {0}")]
     NotManifold(#[from] mesh_core::TopologyError),
+    /// The region map is of another mesh.
+    #[error(transparent)]
+    Region(#[from] RegionMapError),
     /// Midpoints of coordinates so large that their sum is not finite.
     #[error("the base mesh is too large for its midpoints: {0}")]
     NotFinite(#[from] mesh_core::MeshError),
@@ -43,6 +46,7 @@ pub fn subdivide(base: &TriMesh, region: &RegionMap, levels: u32) -> Result<Subd
     if finest.is_none_or(|n| n > u64::from(u32::MAX)) {
         return Err(SubdivError::TooLarge { faces: base.n_faces(), levels });
     }
+    region.check_sizes(&Topology::new(base.faces(), base.n_vertices())?)?;
     let mut level = Level {
         positions: base.positions().clone(),
         faces: base.faces().clone(),

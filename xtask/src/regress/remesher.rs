@@ -20,6 +20,8 @@ pub(super) struct Request<'a> {
     pub(super) input: &'a Path,
     pub(super) base_vertices: Option<usize>,
     pub(super) levels: u32,
+    /// `None`: one for each processor.
+    pub(super) threads: Option<usize>,
 }
 
 /// What came of a run.
@@ -45,12 +47,15 @@ impl Remesher {
     /// Remeshes and checks the result.
     pub(super) fn run(&self, request: &Request) -> Result<Outcome> {
         let name = request.input.file_name().unwrap_or_default().to_string_lossy();
-        let output = self.folder.join(format!("{name}.out.obj"));
+        let folder = self.folder.join(&*name);
+        fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        let output = folder.join("result.obj");
         let levels = request.levels.to_string();
         let mut command = Command::new(&self.binary);
         command.arg("remesh").arg(request.input).arg("-o").arg(&output).args(["--json", "--levels", &levels]);
         command.args(request.base_vertices.map(|n| format!("--base-vertices={n}")));
-        let ended = within(self.limit, &mut command, &self.folder)?;
+        command.args(request.threads.map(|n| format!("--threads={n}")));
+        let ended = within(self.limit, &mut command, &folder)?;
         Ok(match ended.code {
             Some(0) => self.checked(output, &ended.stdout, &levels, ended.seconds)?,
             Some(1) if ended.last_error.starts_with("error: ") && !ended.last_error.contains("internal error") => {

@@ -1,3 +1,5 @@
+//! Reading and writing off.
+
 use crate::{check_refused, document};
 use glam::DVec3;
 use mesh_io::Format::Off;

@@ -1,3 +1,5 @@
+//! Reading and writing ply.
+
 use crate::{check_refused, document};
 use glam::DVec3;
 use mesh_io::Format::Ply;

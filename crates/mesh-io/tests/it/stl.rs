@@ -1,3 +1,5 @@
+//! Reading and writing stl.
+
 use crate::{check_refused, document, small_tetrahedron};
 use glam::DVec3;
 use mesh_io::Format::Stl;

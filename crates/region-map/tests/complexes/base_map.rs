@@ -120,7 +120,7 @@ fn an_edit_must_cover_what_it_replaces() {
     let laid = |t: [[DVec2; 3]; 2]| [(faces[0], t[0]), (faces[1], t[1])];
     let folded = [new[0], [new[1][1], new[1][0], new[1][2]]];
     let flat = [new[0], [DVec2::ZERO, DVec2::X, 2.0 * DVec2::X]];
-    let larger = [new[0], [new[1][0], new[1][1], DVec2::new(0.0, 1.001)]];
+    let larger = [new[0], [new[1][0], new[1][1], DVec2::new(-0.001, 1.0)]];
     for bad in [folded, flat, larger] {
         assert_eq!(map.replace(&laid(old), &bad), Err(MapError::Uncovered));
     }

@@ -184,7 +184,7 @@ fn what_is_not_a_disk_is_named() {
     assert_eq!(error(&sphere, &smooth(&sphere), &caps), CellError::NotADisk(PatchId(0)), "in two parts");
     let empty = Segmentation { n_patches: 3, ..segmentation(&sphere, |f| u32::from(z(f) > 0.0)) };
     assert_eq!(error(&sphere, &smooth(&sphere), &empty), CellError::NotADisk(PatchId(2)), "without faces");
-    let torus = fixtures::torus(1.0, 0.4, 12, 8);
+    let torus = fixtures::torus(1.0, 0.4, 24, 16);
     let handle = segmentation(&torus, |f| u32::from(f.0 == 7));
     assert_eq!(error(&torus, &smooth(&torus), &handle), CellError::NotADisk(PatchId(0)), "with a handle");
     // Opposite quarters of a disk touch in its middle.
@@ -199,7 +199,7 @@ fn what_is_not_a_disk_is_named() {
 #[test]
 fn a_closed_torus_does_not_hide_in_a_disk() {
     // The Euler number of a disk and a torus together is 1, and their border is one cycle.
-    let (torus, sphere) = (fixtures::torus(1.0, 0.4, 12, 8), fixtures::uv_sphere(8));
+    let (torus, sphere) = (fixtures::torus(1.0, 0.4, 24, 16), fixtures::uv_sphere(16));
     let first = torus.n_vertices() as u32;
     let positions = torus.positions().iter().chain(sphere.positions()).copied().collect();
     let shifted = sphere.faces().iter().map(|f| f.map(|v| v.0 + first));

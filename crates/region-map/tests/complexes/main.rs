@@ -2,8 +2,8 @@
 
 mod base_map;
 mod cells;
+mod check;
 mod network;
-mod region_map;
 
 use glam::DVec3;
 use mesh_core::{IdVec, Topology, TriMesh, VertexId};

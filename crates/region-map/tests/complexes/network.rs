@@ -30,7 +30,7 @@ fn counts_of_known_shapes() {
 #[test]
 fn arcs_cover_the_feature_edges_and_no_others() {
     for (name, mesh, topology, network) in shapes() {
-        let mut length = 0.0;
+        let mut length = 0.0f64;
         for (id, arc) in network.arcs.enumerate() {
             assert_eq!(arc.vertices.len(), arc.halfedges.len() + 1, "{name}");
             for (i, &h) in arc.halfedges.iter().enumerate() {

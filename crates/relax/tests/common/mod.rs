@@ -24,22 +24,12 @@ pub struct Bed {
 impl Bed {
     /// A working mesh with arcs where it bends by 40 degrees or more, and on its border; still without a domain.
     pub fn on(mesh: TriMesh) -> Self {
-        Self::cut(mesh, 40f64.to_radians())
-    }
-
-    /// A working mesh without arcs but on its border.
-    pub fn smooth(mesh: TriMesh) -> Self {
-        Self::cut(mesh, TAU)
-    }
-
-    fn cut(mesh: TriMesh, angle: f64) -> Self {
-        let least = if angle < TAU / 2.0 { angle.cos() } else { f64::NEG_INFINITY };
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
         let kinds = topology
             .edge_ids()
             .map(|e| match topology.edge_faces(e) {
                 (_, None) => Some(ArcKind::Border),
-                (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < least).then_some(ArcKind::Sharp),
+                (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
             })
             .collect();
         let network = Network::trace(&mesh, &topology, &kinds, |_| false, vec![]);

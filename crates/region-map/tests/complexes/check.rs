@@ -2,7 +2,7 @@
 
 use crate::{crease_network, shapes, topology};
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, Id, IdVec, SurfacePoint, Topology, VertexId};
+use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, VertexId};
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, Network, RegionMap, RegionMapError, SheetId};
 
 #[test]
@@ -120,7 +120,7 @@ fn errors_name_what_is_wrong() {
     assert_eq!(corrupted(&|m| m.sheet_of_face[FaceId(0)] = SheetId(99)), RegionMapError::Misattached(first_inner(&right)));
     let (&ends, _) = right.spans.iter().next().unwrap();
     let on_arc = *ends.iter().find(|&&v| matches!(right.attachments[v], Attachment::Arc { .. })).unwrap();
-    let lost = corrupted(&|m| drop(m.spans.remove(&ends)));
+    let lost = corrupted(&|m| m.spans.retain(|e, _| *e != ends));
     assert!(matches!(lost, RegionMapError::Misattached(v) if v == on_arc || ends.contains(&v)), "{lost}");
 }
 
@@ -147,7 +147,7 @@ fn a_border_must_lie_on_an_arc() {
 
 #[test]
 fn an_uncovered_loop_and_an_empty_corner_are_found() {
-    let mesh = fixtures::uv_sphere(8);
+    let mesh = fixtures::uv_sphere(16);
     let topology = topology(&mesh);
     let smooth = crease_network(&mesh, &topology);
     let map = RegionMap::identity(&topology, &smooth);
@@ -177,5 +177,4 @@ fn spans_are_seen_from_both_ends() {
         assert_eq!((map.span(low, high), map.span(high, low)), (Some(span), Some(turned)));
     }
     assert_eq!(map.span(low, VertexId(3)), None);
-    assert_eq!(HalfedgeId::of(FaceId(0), 0).face(), FaceId(0));
 }

@@ -1,0 +1,240 @@
+//! Numbers and places of the sites on shapes of every kind.
+
+use glam::DVec3;
+use mesh_core::{Id, IdVec, SurfacePoint, Topology, TriMesh};
+use region_map::{ArcKind, Cells, Network, PatchId, Segmentation, Sites};
+use segment_cvt::{CvtError, CvtOptions, Sampled, SizingField, sample};
+use segment_vsa::{VsaOptions, segment};
+
+/// The cells of a mesh cut at borders and edges of more than 40 degrees, with this segmentation.
+fn cells_of(mesh: &TriMesh, segmented: impl Fn(&Topology, &Network) -> Segmentation) -> Cells {
+    let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+    let kind = |e| match topology.edge_faces(e) {
+        (_, None) => Some(ArcKind::Border),
+        (f, Some(g)) => (mesh.normal(f).angle_between(mesh.normal(g)) > 40f64.to_radians()).then_some(ArcKind::Sharp),
+    };
+    let kinds = topology.edge_ids().map(kind).collect();
+    let network = Network::trace(mesh, &topology, &kinds, |_| false, Vec::new());
+    Cells::trace(mesh, &topology, &network, &segmented(&topology, &network)).unwrap()
+}
+
+/// Patches by variational shape approximation.
+fn vsa_cells(mesh: &TriMesh) -> Cells {
+    let options = VsaOptions { max_patches: 12, ..VsaOptions::default() };
+    cells_of(mesh, |topology, network| segment(mesh, topology, network, &options).unwrap().0)
+}
+
+/// One patch a sheet; all must be disks.
+fn sheet_cells(mesh: &TriMesh) -> Cells {
+    cells_of(mesh, |_, network| Segmentation {
+        patch_of_face: network.sheet_of_face.iter().map(|s| PatchId(s.0)).collect(),
+        n_patches: network.n_sheets,
+    })
+}
+
+/// Patches by octant.
+fn octant_cells(mesh: &TriMesh) -> Cells {
+    let octant = |f| {
+        let p = mesh.centroid(f);
+        PatchId::new(usize::from(p.x > 0.0) + 2 * usize::from(p.y > 0.0) + 4 * usize::from(p.z > 0.0))
+    };
+    cells_of(mesh, |_, _| Segmentation { patch_of_face: mesh.faces().ids().map(octant).collect(), n_patches: 8 })
+}
+
+fn options(base_vertices: usize) -> CvtOptions {
+    CvtOptions { base_vertices, ..CvtOptions::default() }
+}
+
+fn uniform(mesh: &TriMesh, cells: &Cells, base_vertices: usize) -> Sampled {
+    sample(mesh, cells, &SizingField::uniform(), &options(base_vertices)).unwrap()
+}
+
+fn n_sites(cells: &Cells, sites: &Sites) -> usize {
+    cells.corners.len() + sites.on_arcs.iter().map(Vec::len).sum::<usize>() + sites.in_patches.iter().map(Vec::len).sum::<usize>()
+}
+
+/// Positions of corners, arc sites and patch sites.
+fn positions(mesh: &TriMesh, cells: &Cells, sites: &Sites) -> Vec<DVec3> {
+    let corners = cells.corners.iter().map(|&v| mesh.position(v));
+    let on_arcs = sites.on_arcs.enumerate().flat_map(|(a, ts)| ts.iter().map(move |&t| cells.arcs[a].position(mesh, t)));
+    let inner = sites.in_patches.iter().flatten().map(|p| p.position(mesh));
+    corners.chain(on_arcs).chain(inner).collect()
+}
+
+/// The distance of every position from the nearest other one.
+fn gaps(positions: &[DVec3]) -> Vec<f64> {
+    let gap = |i: usize| {
+        let others = positions.iter().enumerate().filter(|o| o.0 != i);
+        others.map(|(_, q)| q.distance(positions[i])).fold(f64::INFINITY, f64::min)
+    };
+    (0..positions.len()).map(gap).collect()
+}
+
+#[test]
+fn the_count_is_the_request_or_what_the_topology_needs() {
+    let shapes = [
+        vsa_cells_of("plane", fixtures::plane()),
+        vsa_cells_of("box of twelve", fixtures::cube(1)),
+        vsa_cells_of("cube", fixtures::cube(4)),
+        vsa_cells_of("L", fixtures::l_block(3)),
+        vsa_cells_of("two boxes", fixtures::crossing_boxes(2)),
+        vsa_cells_of("cylinder", fixtures::cylinder(0.5, 1.5, 24)),
+        vsa_cells_of("cone", fixtures::cone(1.0, 1.0, 24)),
+        vsa_cells_of("sphere", fixtures::icosphere(6)),
+        vsa_cells_of("torus", fixtures::torus(1.0, 0.4, 24, 16)),
+        vsa_cells_of("shell", fixtures::shell(16)),
+        vsa_cells_of("part", fixtures::part(6)),
+    ];
+    for (name, mesh, cells) in shapes {
+        let least = cells.least_segments();
+        let needed = cells.corners.len() + least.iter().map(|k| k - 1).sum::<usize>();
+        for wanted in [0, 1, 4, 10, 23, 50, 77, 100, 101, 137, 200, 333] {
+            let Sampled { sites, budget } = uniform(&mesh, &cells, wanted);
+            assert_eq!(budget.needed, needed, "{name}");
+            assert_eq!(budget.total, wanted.max(needed), "{name} {wanted}");
+            assert_eq!(n_sites(&cells, &sites), budget.total, "{name} {wanted}");
+            for (arc, ts) in sites.on_arcs.enumerate() {
+                assert_eq!(ts.len() + 1, budget.segments[arc], "{name} {wanted}");
+                assert!(budget.segments[arc] >= least[arc], "{name} {wanted}");
+            }
+            for (p, inner) in sites.in_patches.enumerate() {
+                assert_eq!(inner.len(), budget.inner[p], "{name} {wanted}");
+                assert!(inner.iter().all(|s| cells.patches[p].faces.binary_search(&s.face).is_ok()), "{name} {wanted}");
+            }
+            assert!(gaps(&positions(&mesh, &cells, &sites)).iter().all(|&g| g > 0.0), "{name} {wanted}");
+        }
+    }
+}
+
+fn vsa_cells_of(name: &'static str, mesh: TriMesh) -> (&'static str, TriMesh, Cells) {
+    let cells = vsa_cells(&mesh);
+    (name, mesh, cells)
+}
+
+#[test]
+fn closed_arcs_get_three_segments_and_parallel_ones_two() {
+    let mesh = fixtures::uv_sphere(24);
+    let by = |patch: &dyn Fn(DVec3) -> u32, n_patches| {
+        let patch_of_face: IdVec<_, _> = mesh.faces().ids().map(|f| PatchId(patch(mesh.centroid(f)))).collect();
+        cells_of(&mesh, |_, _| Segmentation { patch_of_face: patch_of_face.clone(), n_patches })
+    };
+    let halves = by(&|p| u32::from(p.z > 0.0), 2);
+    let Sampled { budget, .. } = uniform(&mesh, &halves, 0);
+    assert_eq!((budget.segments.as_slice(), budget.needed), (&[3][..], 3));
+    let quarters = by(&|p| u32::from(p.x > 0.0) + 2 * u32::from(p.y > 0.0), 4);
+    let Sampled { budget, .. } = uniform(&mesh, &quarters, 0);
+    assert_eq!((budget.segments.as_slice(), budget.needed), (&[2; 4][..], 6));
+}
+
+#[test]
+fn sites_cut_arcs_evenly() {
+    let mesh = fixtures::cylinder(0.5, 1.5, 30);
+    let cells = vsa_cells(&mesh);
+    let Sampled { sites, budget } = uniform(&mesh, &cells, 90);
+    assert!(budget.segments.iter().any(|&k| k > 3));
+    for (id, ts) in sites.on_arcs.enumerate() {
+        let arc = &cells.arcs[id];
+        for (i, t) in ts.iter().enumerate() {
+            let expected = arc.length() * (i + 1) as f64 / budget.segments[id] as f64;
+            assert!((t - expected).abs() < 1e-12 * arc.length());
+        }
+        // Rounded to the edge length of the budget, where the topology leaves a choice.
+        let exact = arc.length() / budget.edge_length;
+        assert!((budget.segments[id] as f64 - exact).abs() <= 0.5 || exact < 3.5);
+    }
+}
+
+#[test]
+fn a_plane_of_two_triangles_is_filled_evenly() {
+    let mesh = fixtures::plane();
+    let cells = sheet_cells(&mesh);
+    for wanted in [40, 100, 250] {
+        let Sampled { sites, budget } = uniform(&mesh, &cells, wanted);
+        let positions = positions(&mesh, &cells, &sites);
+        let h = budget.edge_length;
+        let inner = sites.in_patches.iter().map(Vec::len).sum::<usize>();
+        assert!(gaps(&positions)[wanted - inner..].iter().all(|&g| g > 0.6 * h && g < 1.4 * h), "{wanted}");
+        for (x, y) in (0..=50).flat_map(|i| (0..=30).map(move |j| (2.0 * f64::from(i), 2.0 * f64::from(j)))) {
+            let gap = positions.iter().map(|p| p.distance(DVec3::new(x, y, 0.0))).fold(f64::INFINITY, f64::min);
+            assert!(gap < 0.95 * h, "{wanted}: nothing within {gap} of {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn the_sizing_field_halves_the_spacing_where_it_asks_for_it() {
+    let mesh = fixtures::plane();
+    let cells = sheet_cells(&mesh);
+    let places = (0..=20).flat_map(|i| (0..=30).map(move |j| (DVec3::new(2.0 * f64::from(i), 2.0 * f64::from(j), 0.0), 0.5)));
+    let sizing = SizingField::new(places.collect(), 0.05);
+    let Sampled { sites, budget } = sample(&mesh, &cells, &sizing, &options(400)).unwrap();
+    assert_eq!(budget.total, 400);
+    let positions = positions(&mesh, &cells, &sites);
+    let mean_gap = |from: f64, to: f64| {
+        let here: Vec<f64> =
+            positions.iter().zip(gaps(&positions)).filter(|(p, _)| p.x > from && p.x < to).map(|(_, gap)| gap).collect();
+        assert!(here.len() > 20);
+        here.iter().sum::<f64>() / here.len() as f64
+    };
+    let ratio = mean_gap(0.0, 38.0) / mean_gap(55.0, 100.0);
+    assert!((ratio - 0.5).abs() < 0.06, "{ratio}");
+    // On the borders too: the sites of the lower border, left and right of x = 38 and x = 55.
+    let lower =
+        |from: f64, to: f64| positions.iter().filter(|p| p.y == 0.0 && p.x > from && p.x < to).count() as f64 / (to - from);
+    assert!((lower(0.0, 38.0) / lower(55.0, 100.0) - 2.0).abs() < 0.5);
+}
+
+#[test]
+fn sites_are_the_same_on_any_number_of_threads() {
+    let mesh = fixtures::part(6);
+    let cells = vsa_cells(&mesh);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| uniform(&mesh, &cells, 150))
+    };
+    assert_eq!(on(1), on(2));
+}
+
+/// Mean and least distance to the nearest neighbour.
+fn spacing(mesh: &TriMesh, cells: &Cells, sampled: &Sampled) -> [f64; 2] {
+    let gaps = gaps(&positions(mesh, cells, &sampled.sites));
+    [gaps.iter().sum::<f64>() / gaps.len() as f64, gaps.into_iter().fold(f64::INFINITY, f64::min)]
+}
+
+#[test]
+fn other_numbers_and_seeds_give_sites_as_good() {
+    let mesh = fixtures::uv_sphere(32);
+    let cells = octant_cells(&mesh);
+    let first = uniform(&mesh, &cells, 120);
+    let [mean, least] = spacing(&mesh, &cells, &first);
+
+    let mut faces: Vec<_> = mesh.faces().iter().map(|f| f.map(|v| v.0)).collect();
+    faces.reverse();
+    let renumbered = TriMesh::new(mesh.positions().as_slice().to_vec(), faces).unwrap();
+    let renumbered_cells = octant_cells(&renumbered);
+    let second = uniform(&renumbered, &renumbered_cells, 120);
+    let reseeded = sample(&mesh, &cells, &SizingField::uniform(), &CvtOptions { seed: 7, ..options(120) }).unwrap();
+    assert_ne!(first.sites, reseeded.sites);
+    for (mesh, cells, other) in [(&renumbered, &renumbered_cells, &second), (&mesh, &cells, &reseeded)] {
+        let [other_mean, other_least] = spacing(mesh, cells, other);
+        assert!((other_mean / mean - 1.0).abs() < 0.05, "{mean} {other_mean}");
+        assert!((other_least / least - 1.0).abs() < 0.3, "{least} {other_least}");
+    }
+}
+
+#[test]
+fn a_surface_without_area_is_refused_and_faces_without_area_are_passed_over() {
+    let line = TriMesh::new(vec![DVec3::ZERO, DVec3::X, 2.0 * DVec3::X], vec![[0, 1, 2]]).unwrap();
+    let refused = sample(&line, &sheet_cells(&line), &SizingField::uniform(), &options(10));
+    assert_eq!(refused.unwrap_err(), CvtError::NoArea);
+
+    // A square whose diagonal is a needle.
+    let corners = vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y, DVec3::new(0.5, 0.5, 0.0)];
+    let mesh = TriMesh::new(corners, vec![[0, 1, 4], [1, 2, 4], [0, 4, 2], [0, 2, 3]]).unwrap();
+    let cells = cells_of(&mesh, |_, _| Segmentation { patch_of_face: IdVec::filled(PatchId(0), 4), n_patches: 1 });
+    let Sampled { sites, budget } = uniform(&mesh, &cells, 30);
+    assert_eq!(n_sites(&cells, &sites), 30);
+    assert_eq!(budget.total, 30);
+    let on_needle = |s: &SurfacePoint| s.face.index() == 2;
+    assert!(sites.in_patches.iter().flatten().all(|s| !on_needle(s) && s.position(&mesh).is_finite()));
+}
