@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 pub struct BaseOptions {
     /// Wanted number of vertices; the improvement removes and adds vertices to meet it. Default 200.
     pub base_vertices: usize,
-    /// Rounds of improvement of the connectivity; 0 keeps the triangulation of the sites as it is. Default 5.
+    /// Rounds of improvement of the connectivity; 0 keeps the triangulation of the sites as it is. Default 10.
     pub rounds: usize,
     /// The share of a patch that its chart may shrink to less than a quarter of the mean scale, 0 to 1; patches beyond it are
     /// refused as uncharted. Default 0.05. Measured: convex patches stay below .01; beyond .05 the fine triangles that the map
@@ -31,7 +31,7 @@ pub struct BaseOptions {
 
 impl Default for BaseOptions {
     fn default() -> Self {
-        Self { base_vertices: 200, rounds: 5, max_shrunk: 0.05 }
+        Self { base_vertices: 200, rounds: 10, max_shrunk: 0.05 }
     }
 }
 

@@ -14,7 +14,7 @@ const LONGEST_DETOUR: f64 = 1.6;
 /// Steps in which the length of an edge is measured on the surface.
 const LENGTH_STEPS: usize = 4;
 /// Moves shorter than this share of the mean edge of the star are not worth an edit.
-const LEAST_MOVE: f64 = 0.1;
+const LEAST_MOVE: f64 = 0.03;
 /// A move may make triangles worse as long as they stay better than this (AR).
 const GOOD_ENOUGH: f64 = 0.6;
 

@@ -17,7 +17,7 @@ const LONG: f64 = 4.0 / 3.0;
 /// See [`LONG`].
 const SHORT: f64 = 4.0 / 5.0;
 /// Moves of all vertices in a round.
-const MOVES: usize = 1;
+const MOVES: usize = 2;
 /// Quality (AR) that a collapse must leave, unless it was worse before.
 const LEAST_QUALITY: f64 = 0.25;
 /// Flips must gain this much, or rounding could make them cycle.

@@ -1,7 +1,7 @@
 //! Where the map puts a domain vertex.
 
 use mesh_core::{IdVec, SurfacePoint, VertexId};
-use region_map::BaseMesh;
+use region_map::{BaseMesh, RegionMapError};
 
 /// The map that places vertices: a base mesh, and every domain vertex as a point of a base face.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,18 @@ pub struct Origins<'a> {
 }
 
 impl Origins<'_> {
+    /// Checks that there is a point for each of `n_vertices`, on a face of the base mesh.
+    pub(crate) fn check(&self, n_vertices: usize) -> Result<(), RegionMapError> {
+        let (found, expected) = (self.points.len(), n_vertices);
+        if found != expected {
+            return Err(RegionMapError::WrongSize { what: "origins", found, expected });
+        }
+        match self.points.enumerate().find(|(_, p)| self.base.map_faces.get(p.face).is_none()) {
+            Some((v, _)) => Err(RegionMapError::Misattached(v)),
+            None => Ok(()),
+        }
+    }
+
     /// The point of the working mesh that the map gives a domain vertex.
     pub(crate) fn place(&self, v: VertexId) -> SurfacePoint {
         let p = self.points[v];

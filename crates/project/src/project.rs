@@ -69,21 +69,12 @@ pub fn project(
     let topology = Topology::new(domain.faces(), domain.n_vertices())?;
     region.check(&topology, surface.network)?;
     let mut report = ProjectReport::default();
-    let points: Vec<SurfacePoint> = match origins {
-        Some(origins) => {
-            let placed = |i| attached_point(surface, region, VertexId::new(i)).unwrap_or_else(|| origins.place(VertexId::new(i)));
-            let mut points: IdVec<_, _> =
-                (0..domain.n_vertices()).into_par_iter().map(placed).collect::<Vec<_>>().into_iter().collect();
-            report.mapped = region.class_counts()[2];
-            if options.ray_reach > 0.0 {
-                report.improved_by_ray = improve_by_rays(surface, domain, &topology, region, options, &mut points);
-            }
-            points.into_vec()
-        }
+    let points: IdVec<VertexId, SurfacePoint> = match origins {
+        Some(origins) => place_by_map(surface, domain, &topology, region, origins, options, &mut report)?,
         None => place_by_rays(surface, domain, &topology, region, &mut report),
     };
     let positions = points.iter().map(|p| p.position(surface.mesh)).collect();
-    let region = RegionMap { points: IdVec::from_vec(points), ..region.clone() };
+    let region = RegionMap { points, ..region.clone() };
     Ok(Projected { mesh: domain.with_positions(positions)?, region, report })
 }
 
@@ -99,30 +90,45 @@ fn attached_point(surface: &Surface<'_>, region: &RegionMap, v: VertexId) -> Opt
     }
 }
 
-/// Class two without a map: the ray, or where it misses the nearest point of the sheet.
+/// All vertices, those of class two by the map, and from there by the ray where that is better.
+fn place_by_map(
+    surface: &Surface<'_>,
+    domain: &TriMesh,
+    topology: &Topology,
+    region: &RegionMap,
+    origins: Origins<'_>,
+    options: &ProjectOptions,
+    report: &mut ProjectReport,
+) -> Result<IdVec<VertexId, SurfacePoint>, ProjectError> {
+    origins.check(domain.n_vertices())?;
+    let place = |v| attached_point(surface, region, v).unwrap_or_else(|| origins.place(v));
+    let placed: Vec<_> = (0..domain.n_vertices()).into_par_iter().map(|i| place(VertexId::new(i))).collect();
+    let mut points = IdVec::from_vec(placed);
+    report.mapped = region.class_counts()[2];
+    if options.ray_reach > 0.0 {
+        report.improved_by_ray = improve_by_rays(surface, domain, topology, region, options, &mut points);
+    }
+    Ok(points)
+}
+
+/// All vertices, those of class two without a map: by the ray, or where it misses the nearest point of the sheet.
 fn place_by_rays(
     surface: &Surface<'_>,
     domain: &TriMesh,
     topology: &Topology,
     region: &RegionMap,
     report: &mut ProjectReport,
-) -> Vec<SurfacePoint> {
+) -> IdVec<VertexId, SurfacePoint> {
     let normals = interpolated_normals(domain, topology, region);
     let indices = SheetIndices::new(surface);
-    let place = |v: VertexId| -> (Option<SurfacePoint>, bool) {
-        if let Some(point) = attached_point(surface, region, v) {
-            return (Some(point), false);
-        }
-        let Attachment::Sheet(sheet) = region.attachments[v] else { return (None, false) };
-        match indices.displaced(surface, sheet, domain.position(v), normals[v]) {
-            Some(hit) => (Some(hit), true),
-            None => (indices.nearest(sheet, domain.position(v)), false),
-        }
+    let place = |v: VertexId| match region.attachments[v] {
+        Attachment::Sheet(sheet) => indices.place(surface, sheet, domain.position(v), normals[v]),
+        _ => Some((attached_point(surface, region, v)?, false)),
     };
     let placed: Vec<_> = (0..domain.n_vertices()).into_par_iter().map(|i| place(VertexId::new(i))).collect();
-    report.by_ray = placed.iter().filter(|p| p.1).count();
+    report.by_ray = placed.iter().flatten().filter(|p| p.1).count();
     report.by_nearest = region.class_counts()[2] - report.by_ray;
-    placed.iter().zip(&region.points).map(|(p, &before)| p.0.unwrap_or(before)).collect()
+    placed.iter().zip(&region.points).map(|(p, &before)| p.map_or(before, |p| p.0)).collect()
 }
 
 /// Moves vertices to where their rays hit, one after the other, where that makes the worst of their triangles better.
@@ -136,13 +142,11 @@ fn improve_by_rays(
 ) -> usize {
     let normals = interpolated_normals(domain, topology, region);
     let indices = SheetIndices::new(surface);
-    let hits: Vec<Option<SurfacePoint>> = (0..domain.n_vertices())
-        .into_par_iter()
-        .map(|i| match region.attachments[VertexId::new(i)] {
-            Attachment::Sheet(s) => indices.displaced(surface, s, domain.position(VertexId::new(i)), normals[VertexId::new(i)]),
-            _ => None,
-        })
-        .collect();
+    let hit = |v: VertexId| match region.attachments[v] {
+        Attachment::Sheet(s) => indices.displaced(surface, s, domain.position(v), normals[v]),
+        _ => None,
+    };
+    let hits: Vec<Option<SurfacePoint>> = (0..domain.n_vertices()).into_par_iter().map(|i| hit(VertexId::new(i))).collect();
     let mut positions: IdVec<VertexId, DVec3> = points.iter().map(|p| p.position(surface.mesh)).collect();
     let reach = options.ray_reach * mean_edge(topology, &positions);
     let mut improved = 0;
