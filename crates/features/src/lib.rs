@@ -2,6 +2,19 @@
 //!
 //! [`detect`] is the one verb: it finds creases by dihedral angle with hysteresis, adds borders and marked edges, takes out
 //! what is too small or too weak to be worth base vertices, and sets the corners.
+//!
+//! ```
+//! use features::{FeatureOptions, detect};
+//! use mesh_core::Topology;
+//!
+//! // A cube has 12 arcs between 8 corners; the rims of a cylinder are closed arcs without any.
+//! for (mesh, expected) in [(fixtures::cube(4), (8, 12, 6)), (fixtures::cylinder(1.0, 2.0, 48), (0, 2, 3))] {
+//!     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
+//!     let network = detect(&mesh, &topology, &FeatureOptions { base_edge_length: 0.4, ..Default::default() })?;
+//!     assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), expected);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod corner;
 mod crease;

@@ -121,24 +121,28 @@ fn a_thin_shell_is_not_jumped_through() {
 
 #[test]
 fn a_ray_that_misses_or_hits_far_away_is_replaced_by_the_nearest_point() {
-    // A plane beside the domain, and a wall far behind it in the same sheet.
-    let mut positions = fixtures::plane().positions().as_slice().to_vec();
-    positions.extend([DVec3::new(100.0, 0.0, 500.0), DVec3::new(100.0, 60.0, 500.0)]);
-    let wide = TriMesh::new(positions, fixtures::plane().faces().iter().map(|f| f.map(|v| v.0)).collect()).unwrap();
-    let shape = Shape::new(wide);
-    let free =
+    let shape = Shape::new(fixtures::plane());
+    let no_arcs =
         Network { arcs: IdVec::new(), arc_of_edge: IdVec::filled(None, shape.topology.n_edges()), ..shape.network.clone() };
-    let surface = Surface { network: &free, ..shape.surface() };
-    // Beyond the plane's border, where rays along z miss; closed, so that it needs no border arcs.
-    let beside = octahedron().positions().iter().map(|&p| DVec3::new(150.0, 30.0, 10.0) + p).collect();
-    let domain = foreign(&octahedron().with_positions(beside).unwrap(), 1);
-    let Projected { mesh, report, .. } =
-        project(&surface, &domain.mesh, &domain.region, None, &ProjectOptions::default()).unwrap();
-    assert!(report.by_nearest > 0);
-    assert_eq!(report.by_ray + report.by_nearest, mesh.n_vertices());
-    for (v, p) in mesh.positions().enumerate() {
-        let from = domain.mesh.position(v);
-        assert!(p.z.abs() < 1e-9 && p.distance(from) <= 4.0 * from.distance(DVec3::new(100.0, from.y, 0.0)) + 1e-9);
+    let surface = Surface { network: &no_arcs, ..shape.surface() };
+    let placed = |at: DVec3| {
+        let moved = octahedron().positions().iter().map(|&p| at + p).collect();
+        let domain = foreign(&octahedron().with_positions(moved).unwrap(), 3);
+        let Projected { mesh, report, .. } =
+            project(&surface, &domain.mesh, &domain.region, None, &ProjectOptions::default()).unwrap();
+        assert_eq!(report.by_ray + report.by_nearest, mesh.n_vertices());
+        (domain.mesh, mesh, report)
+    };
+    // Beside the plane all rays miss.
+    let (domain, mesh, report) = placed(DVec3::new(200.0, 30.0, 5.0));
+    assert_eq!(report.by_ray, 0);
+    let nearest = domain.positions().iter().map(|p| DVec3::new(100.0, p.y, 0.0));
+    assert!(mesh.positions().iter().zip(nearest).all(|(p, q)| p.distance(q) < 1e-9));
+    // Close above it the rays of the domain's sides graze it, and those from below look at its back.
+    let (domain, mesh, report) = placed(DVec3::new(50.0, 30.0, 1.5));
+    assert!(report.by_ray > 10 && report.by_nearest > mesh.n_vertices() / 2);
+    for (p, from) in mesh.positions().iter().zip(domain.positions()) {
+        assert!(p.z.abs() < 1e-9 && p.distance(*from) < 4.0 * from.z + 1e-9);
     }
 }
 

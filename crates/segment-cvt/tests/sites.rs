@@ -1,20 +1,28 @@
 //! Numbers and places of the sites on shapes of every kind.
 
 use glam::DVec3;
-use mesh_core::{Id, IdVec, SurfacePoint, Topology, TriMesh};
+use mesh_core::{Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 use region_map::{ArcKind, Cells, Network, PatchId, Segmentation, Sites};
 use segment_cvt::{CvtError, CvtOptions, Sampled, SizingField, sample};
 use segment_vsa::{VsaOptions, segment};
 
 /// The cells of a mesh cut at borders and edges of more than 40 degrees, with this segmentation.
 fn cells_of(mesh: &TriMesh, segmented: impl Fn(&Topology, &Network) -> Segmentation) -> Cells {
+    cells_with_corners(mesh, |_| false, segmented)
+}
+
+fn cells_with_corners(
+    mesh: &TriMesh,
+    is_corner: impl Fn(VertexId) -> bool,
+    segmented: impl Fn(&Topology, &Network) -> Segmentation,
+) -> Cells {
     let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
     let kind = |e| match topology.edge_faces(e) {
         (_, None) => Some(ArcKind::Border),
         (f, Some(g)) => (mesh.normal(f).angle_between(mesh.normal(g)) > 40f64.to_radians()).then_some(ArcKind::Sharp),
     };
     let kinds = topology.edge_ids().map(kind).collect();
-    let network = Network::trace(mesh, &topology, &kinds, |_| false, Vec::new());
+    let network = Network::trace(mesh, &topology, &kinds, is_corner, Vec::new());
     Cells::trace(mesh, &topology, &network, &segmented(&topology, &network)).unwrap()
 }
 
@@ -109,6 +117,24 @@ fn the_count_is_the_request_or_what_the_topology_needs() {
 fn vsa_cells_of(name: &'static str, mesh: TriMesh) -> (&'static str, TriMesh, Cells) {
     let cells = vsa_cells(&mesh);
     (name, mesh, cells)
+}
+
+#[test]
+fn the_count_is_met_where_equal_arcs_change_at_once() {
+    // A cross of five unit squares, one patch with twelve sides of length 1: their numbers go up together, and the patch takes up
+    // all that is then missing.
+    let columns = [(1, 0), (2, 0), (0, 1), (1, 1), (2, 1), (3, 1), (0, 2), (1, 2), (2, 2), (3, 2), (1, 3), (2, 3)];
+    let positions = columns.map(|(x, y)| DVec3::new(f64::from(x), f64::from(y), 0.0)).to_vec();
+    let squares = [[0, 1, 4, 3], [2, 3, 7, 6], [3, 4, 8, 7], [4, 5, 9, 8], [7, 8, 11, 10]];
+    let faces = squares.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let mesh = TriMesh::new(positions, faces).unwrap();
+    let one_patch = |_: &Topology, _: &Network| Segmentation { patch_of_face: IdVec::filled(PatchId(0), 10), n_patches: 1 };
+    let cells = cells_with_corners(&mesh, |_| true, one_patch);
+    assert_eq!(cells.arcs.len(), 12);
+    for wanted in 12..200 {
+        let Sampled { sites, budget } = uniform(&mesh, &cells, wanted);
+        assert_eq!((budget.total, n_sites(&cells, &sites)), (wanted, wanted));
+    }
 }
 
 #[test]

@@ -84,7 +84,7 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
         crease_length: [kept, length(&network.minor)],
         warnings: stages.warnings.clone(),
         project: projected.report,
-        relax: relaxed.report.clone(),
+        relax: relaxed.report,
         certificate,
         seconds,
     };

@@ -1,0 +1,130 @@
+//! The whole pipeline on small shapes: certified, of the right counts, near the input, and the same on any number of threads.
+
+use glam::DVec3;
+use mesh_core::{Soup, Topology, TriMesh};
+use semireg::{Error, Options, Remeshed, remesh};
+
+fn options(base_vertices: usize, levels: u32) -> Options {
+    Options { base_vertices: Some(base_vertices), levels, ..Options::default() }
+}
+
+/// Remeshes, and checks what every result promises.
+fn check(name: &str, mesh: &TriMesh, base_vertices: usize, levels: u32) -> Remeshed {
+    let remeshed = remesh(&mesh.to_soup(), &options(base_vertices, levels)).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let certificate = &remeshed.report.certificate;
+    assert!(certificate.passed(), "{name}: {:?}", certificate.failures());
+    assert_eq!(certificate.levels, levels);
+    check_counts(name, &remeshed, levels);
+    let input = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+    let output = Topology::new(remeshed.mesh.faces(), remeshed.mesh.n_vertices()).unwrap();
+    assert_eq!(output.euler(), input.euler(), "{name}");
+    assert_eq!(output.components().1, input.components().1, "{name}");
+    assert_eq!(output.border_loops().len(), input.border_loops().len(), "{name}");
+    remeshed.stages.region.check(&output, &remeshed.stages.base.network).unwrap_or_else(|e| panic!("{name}: {e}"));
+    remeshed
+}
+
+/// `F = 4^n F0` and `V = 4^n (V0 - X) + X - (4^n - 2^n) B0 / 2` (design formula): X Euler number, B0 border edges of the base.
+fn check_counts(name: &str, remeshed: &Remeshed, levels: u32) {
+    let base = &remeshed.stages.base.base.mesh;
+    let topology = Topology::new(base.faces(), base.n_vertices()).unwrap();
+    let (four, two) = (4i64.pow(levels), 2i64.pow(levels));
+    let border = topology.edge_ids().filter(|&e| topology.is_border_edge(e)).count() as i64;
+    let vertices = four * (base.n_vertices() as i64 - topology.euler()) + topology.euler() - (four - two) * border / 2;
+    assert_eq!(remeshed.mesh.n_faces() as i64, four * base.n_faces() as i64, "{name}");
+    assert_eq!(remeshed.mesh.n_vertices() as i64, vertices, "{name}");
+    assert_eq!(remeshed.report.base.made, base.n_vertices(), "{name}");
+}
+
+/// The greatest distance between input and result, both ways, over the diagonal.
+fn greatest_error(remeshed: &Remeshed) -> f64 {
+    remeshed.report.certificate.measures.distance.worse().max
+}
+
+#[test]
+fn shapes_with_flat_sides_come_out_exactly() {
+    for (name, mesh, base_vertices) in [
+        ("cube", fixtures::cube(4), 60),
+        ("box of twelve", fixtures::cube(1), 60),
+        ("l block", fixtures::l_block(3), 80),
+        ("crossing boxes", fixtures::crossing_boxes(3), 120),
+    ] {
+        for levels in [1, 2] {
+            let remeshed = check(name, &mesh, base_vertices, levels);
+            assert!(greatest_error(&remeshed) < 1e-9, "{name}: {:e}", greatest_error(&remeshed));
+        }
+    }
+}
+
+#[test]
+fn the_corners_of_a_cube_stay_where_they_are() {
+    let remeshed = check("cube", &fixtures::cube(3), 50, 1);
+    for corner in (0..8).map(|i| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2 & 1) as f64)) {
+        assert!(remeshed.mesh.positions().iter().any(|&p| p == corner), "{corner}");
+    }
+}
+
+/// On smooth shapes the error is that of chords: an edge of length `h` on a circle of radius `r` is `h^2 / (8 r)` off it.
+#[test]
+fn smooth_shapes_come_out_within_the_height_of_a_chord() {
+    for (name, mesh, base_vertices, least_radius) in [
+        ("torus", fixtures::torus(1.0, 0.4, 40, 20), 120, 0.4),
+        ("icosphere", fixtures::icosphere(8), 60, 1.0),
+        ("cylinder", fixtures::cylinder(0.5, 1.5, 48), 80, 0.5),
+    ] {
+        let mut errors = Vec::new();
+        for levels in [1, 2] {
+            let remeshed = check(name, &mesh, base_vertices, levels);
+            let topology = Topology::new(remeshed.mesh.faces(), remeshed.mesh.n_vertices()).unwrap();
+            let length = |e| {
+                let [a, b] = topology.ends(e);
+                remeshed.mesh.distance(a, b)
+            };
+            let longest = topology.edge_ids().map(length).fold(0.0, f64::max);
+            // Half as much again for the triangles' middles and for what the input itself is off the smooth shape.
+            let most = 1.5 * longest.powi(2) / (8.0 * least_radius);
+            let error = greatest_error(&remeshed) * mesh.diagonal();
+            assert!(error < most, "{name} at level {levels}: {error} > {most}");
+            errors.push(error);
+        }
+        assert!(errors[1] < errors[0], "{name}: {errors:?}");
+    }
+}
+
+#[test]
+fn an_open_surface_keeps_its_borders() {
+    for levels in [1, 2] {
+        let remeshed = check("shell", &fixtures::shell(16), 120, levels);
+        let border = remeshed.report.certificate.measures.border;
+        assert!(border.is_some_and(|d| d.max < 0.02), "{border:?}");
+    }
+}
+
+#[test]
+fn one_thread_and_two_give_the_same_bits() {
+    for (name, mesh) in [("l block", fixtures::l_block(3)), ("torus", fixtures::torus(1.0, 0.4, 24, 12))] {
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| remesh(&mesh.to_soup(), &options(70, 2)).unwrap().mesh)
+        };
+        let bits = |mesh: &TriMesh| mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits)).collect::<Vec<_>>();
+        let (one, two) = (on(1), on(2));
+        assert_eq!(one.faces(), two.faces(), "{name}");
+        assert!(bits(&one) == bits(&two), "{name}: positions differ");
+    }
+}
+
+#[test]
+fn nothing_in_is_an_error_that_says_so() {
+    let nothing = [
+        Soup::default(),
+        Soup { positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y], triangles: vec![[0, 1, 7]] },
+        Soup { positions: vec![DVec3::ZERO, DVec3::X, 2.0 * DVec3::X], triangles: vec![[0, 1, 2]] },
+        Soup { positions: vec![DVec3::ZERO, DVec3::NAN, DVec3::Y], triangles: vec![[0, 1, 2]] },
+    ];
+    for soup in nothing {
+        let error = remesh(&soup, &Options::default()).unwrap_err();
+        assert!(matches!(error, Error::Clean(_)), "{error}");
+        assert!(error.to_string().starts_with("no face is left"), "{error}");
+    }
+}
