@@ -10,7 +10,7 @@ use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, SheetId, Sizing, Surface, flat_barycentric};
 
 /// An edge counts as at most this many times as long as its chord: half a circle over its diameter.
-const LONGEST_DETOUR: f64 = 1.6;
+const LONGEST_DETOUR: f64 = 2.5;
 /// Steps in which the length of an edge is measured on the surface.
 const LENGTH_STEPS: usize = 4;
 /// Moves shorter than this share of the mean edge of the star are not worth an edit.
@@ -54,6 +54,7 @@ pub(crate) struct Editor<'a> {
     surface: &'a Surface<'a>,
     faces: IdVec<FaceId, Option<Face>>,
     star: IdVec<VertexId, Vec<FaceId>>,
+    on_border: IdVec<VertexId, bool>,
     positions: IdVec<VertexId, DVec3>,
     region: RegionMap,
     map: BaseMap,
@@ -64,7 +65,8 @@ impl<'a> Editor<'a> {
     /// Takes a base mesh apart. Fails when it is not manifold.
     pub(crate) fn new(surface: &'a Surface<'a>, base: BaseMesh) -> Result<Self, BaseError> {
         let BaseMesh { mesh: base, region, map, map_faces, .. } = base;
-        Topology::new(base.faces(), base.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
+        let topology = Topology::new(base.faces(), base.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
+        let on_border = base.positions().ids().map(|v| topology.is_border_vertex(v)).collect();
         let mut star = IdVec::filled(Vec::new(), base.n_vertices());
         let mut faces = IdVec::new();
         for (f, &vertices) in base.faces().enumerate() {
@@ -73,7 +75,7 @@ impl<'a> Editor<'a> {
             vertices.iter().for_each(|&v| star[v].push(f));
         }
         let n_vertices = star.iter().filter(|s: &&Vec<FaceId>| !s.is_empty()).count();
-        Ok(Self { surface, faces, star, positions: base.positions().clone(), region, map, n_vertices })
+        Ok(Self { surface, faces, star, on_border, positions: base.positions().clone(), region, map, n_vertices })
     }
 
     /// Number of vertices now.
@@ -86,11 +88,11 @@ impl<'a> Editor<'a> {
     }
     /// All edges now, ends rising, in a fixed order.
     pub(crate) fn edges(&self) -> Vec<[VertexId; 2]> {
-        let sides = self.faces.iter().flatten().flat_map(|f| (0..3).map(|c| [f.vertices[c], f.vertices[(c + 1) % 3]]));
-        let mut edges: Vec<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-        edges.sort_unstable();
-        edges.dedup();
-        edges
+        edges_of(self.faces.iter().flatten())
+    }
+    /// The edges of all faces at some vertices, ends rising, in a fixed order.
+    pub(crate) fn edges_near(&self, vertices: &[VertexId]) -> Vec<[VertexId; 2]> {
+        edges_of(vertices.iter().flat_map(|&v| &self.star[v]).filter_map(|&f| self.faces[f].as_ref()))
     }
     /// True while both vertices are joined.
     pub(crate) fn is_edge(&self, a: VertexId, b: VertexId) -> bool {
@@ -148,8 +150,11 @@ impl<'a> Editor<'a> {
     }
     /// Number of edges at a vertex.
     pub(crate) fn valence(&self, v: VertexId) -> usize {
-        let on_border = self.ring(v).is_some_and(|r| !r.closed);
-        self.star[v].len() + usize::from(on_border)
+        self.star[v].len() + usize::from(self.on_border[v])
+    }
+    /// True on the border of the surface.
+    pub(crate) fn is_on_border(&self, v: VertexId) -> bool {
+        self.on_border[v]
     }
     fn face(&self, f: FaceId) -> Option<Face> {
         self.faces[f]
@@ -226,7 +231,7 @@ impl<'a> Editor<'a> {
             }
             None => (Attachment::Sheet(face.sheet), self.map.locate(face.map, weights)),
         };
-        let m = self.add_vertex(attachment, point);
+        let m = self.add_vertex(attachment, point, sides.contains(&None));
         // Halving a triangle means the same in every layout of it.
         let [pa, pb, pc] = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let pm = pa.midpoint(pb);
@@ -399,7 +404,8 @@ impl<'a> Editor<'a> {
         Some(self.map.locate(face.map, DVec3::from_array([0, 1, 2].map(|k| w[(k + 3 - c) % 3]))))
     }
 
-    fn add_vertex(&mut self, attachment: Attachment, point: SurfacePoint) -> VertexId {
+    fn add_vertex(&mut self, attachment: Attachment, point: SurfacePoint, on_border: bool) -> VertexId {
+        self.on_border.push(on_border);
         self.region.attachments.push(attachment);
         self.region.points.push(point);
         self.star.push(Vec::new());
@@ -458,6 +464,15 @@ impl<'a> Editor<'a> {
         region.check(&topology, self.surface.network).map_err(|e| BaseError::Internal(e.to_string()))?;
         Ok(BaseMesh { mesh, region, map: self.map, map_faces, counts: Default::default() })
     }
+}
+
+/// The edges of faces, each once, ends rising, in order.
+fn edges_of<'f>(faces: impl Iterator<Item = &'f Face>) -> Vec<[VertexId; 2]> {
+    let sides = faces.flat_map(|f| (0..3).map(|c| [f.vertices[c], f.vertices[(c + 1) % 3]]));
+    let mut edges: Vec<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
 }
 
 /// Normal of the surface at the middle of a face of the map.

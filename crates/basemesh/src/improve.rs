@@ -55,18 +55,20 @@ fn settle(editor: &mut Editor<'_>) {
     flip_edges(editor);
 }
 
-/// Passes of flips over all edges until none gains.
+/// Passes of flips until none gains: the first over all edges, the others round the flips of the one before.
 fn flip_edges(editor: &mut Editor<'_>) {
+    let mut edges = editor.edges();
     for _ in 0..FLIP_PASSES {
-        let mut flips = 0;
-        for [a, b] in editor.edges() {
-            if editor.is_edge(a, b) && flip_gain(editor, a, b) > LEAST_GAIN && editor.flip(a, b) {
-                flips += 1;
+        let mut changed = Vec::new();
+        for [a, b] in edges {
+            let quad = editor.faces_beside(a, b).into_iter().flatten().flat_map(|(f, _)| f.vertices);
+            if flip_gain(editor, a, b) > LEAST_GAIN && editor.flip(a, b) {
+                changed.extend(quad);
             }
         }
-        if flips == 0 {
-            return;
-        }
+        changed.sort_unstable();
+        changed.dedup();
+        edges = editor.edges_near(&changed);
     }
 }
 

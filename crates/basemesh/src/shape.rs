@@ -30,9 +30,12 @@ pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     let before = pair_cost(([p(a), p(b), p(c)], f.normal), ([p(b), p(a), p(d)], g.normal));
     let normal = (f.normal + g.normal).normalize_or_zero();
     let after = pair_cost(([p(a), p(d), p(c)], normal), ([p(d), p(b), p(c)], normal));
-    let excess = |v: VertexId, shift: f64| (editor.valence(v) as f64 + shift - ideal_valence(editor, v)).powi(2);
-    let valences = |shift: f64| excess(a, -shift) + excess(b, -shift) + excess(c, shift) + excess(d, shift);
-    before - after + VALENCE_COST * (valences(0.0) - valences(1.0))
+    let valence_gain = |v: VertexId, change: f64| {
+        let excess = editor.valence(v) as f64 - ideal_valence(editor, v);
+        excess.powi(2) - (excess + change).powi(2)
+    };
+    let valences = valence_gain(a, -1.0) + valence_gain(b, -1.0) + valence_gain(c, 1.0) + valence_gain(d, 1.0);
+    before - after + VALENCE_COST * valences
 }
 
 /// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones.
@@ -59,7 +62,7 @@ fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
         mesh_core::angles(editor.triangle(&f))[c]
     };
     let angle: f64 = editor.faces_at(v).map(angle_in).sum();
-    angle / 60f64.to_radians() + f64::from(editor.ring(v).is_some_and(|r| !r.closed))
+    angle / 60f64.to_radians() + f64::from(editor.is_on_border(v))
 }
 
 /// The triangles that a collapse would leave.
