@@ -31,7 +31,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let middle = DVec3::splat(1.0 / 3.0);
         let error = |f| {
             let point = base.locate(f, middle);
-            base.map.find(point).map_or(f64::INFINITY, |(face, w)| base.map.locate(face, w).position(&mesh).distance(point.position(&mesh)))
+            let back = base.map.find(point).map(|(face, w)| base.map.locate(face, w));
+            back.map_or(f64::INFINITY, |back| back.position(&mesh).distance(point.position(&mesh)))
         };
         println!("  there and back: {:.1e}", base.mesh.faces().ids().map(error).fold(0.0, f64::max));
     }

@@ -45,7 +45,7 @@ pub use component_counts::{ComponentCounts, component_counts};
 pub use connectivity::{ConnectivityError, Hierarchy, LevelCounts, connectivity};
 pub use creases::{COVER_DISTANCE, CreaseCover, ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES, border_distance, crease_cover};
 pub use distance::{DEFAULT_SAMPLES, Distance, Stats, distance};
-pub use intersections::{faces_involved, self_intersections};
+pub use intersections::self_intersecting;
 pub use measures::{MeasureError, MeasureOptions, Measures, Topologies, measure};
 pub use orientation::flipped;
 pub use quality::{DEGENERATE_ASPECT_RATIO, Quality, quality};

@@ -2,7 +2,7 @@
 
 use crate::creases::{CreaseCover, border_distance, crease_cover};
 use crate::distance::{DEFAULT_SAMPLES, Distance, Stats, distance};
-use crate::intersections::{faces_involved, self_intersections};
+use crate::intersections::self_intersecting;
 use crate::orientation::flipped;
 use crate::quality::{Quality, quality};
 use crate::surface::{NoSurface, Surface};
@@ -78,8 +78,8 @@ pub fn measure(original: &TriMesh, remeshed: &TriMesh, options: &MeasureOptions)
         creases: crease_cover(&original, &remeshed),
         border: border_distance(&original, &remeshed),
         flipped: original_topology.indexed.oriented.then(|| flipped(&original, &remeshed)),
-        original_self_intersecting: faces_involved(&self_intersections(&original)),
-        remeshed_self_intersecting: faces_involved(&self_intersections(&remeshed)),
+        original_self_intersecting: self_intersecting(&original).len(),
+        remeshed_self_intersecting: self_intersecting(&remeshed).len(),
         original_topology,
         remeshed_topology: topologies(&remeshed),
     })

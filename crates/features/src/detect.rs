@@ -17,13 +17,16 @@ pub struct FeatureOptions {
     /// Length of an edge of the base mesh, in the units of the mesh: the resolution at which the network is simplified.
     /// 0 keeps every crease. Default 0.
     pub base_edge_length: f64,
+    /// Factor on the persistence (length times contrast times evenness) below which creases are left out as minor, not negative.
+    /// Default 1.
+    pub persistence: f64,
     /// Edges that are features whatever their angle, and are never dropped, as pairs of vertices.
     pub marked: Vec<[VertexId; 2]>,
 }
 
 impl Default for FeatureOptions {
     fn default() -> Self {
-        Self { strong_angle: 40.0, weak_angle: 25.0, base_edge_length: 0.0, marked: Vec::new() }
+        Self { strong_angle: 40.0, weak_angle: 25.0, base_edge_length: 0.0, persistence: 1.0, marked: Vec::new() }
     }
 }
 
@@ -59,7 +62,7 @@ pub fn detect(mesh: &TriMesh, topology: &Topology, options: &FeatureOptions) -> 
             kinds[e] = Some(ArcKind::Marked);
         }
     }
-    let minor = simplify(mesh, topology, &creases, &mut kinds, options.base_edge_length);
+    let minor = simplify(mesh, topology, &creases, &mut kinds, options);
     let is_corner = corners(mesh, topology, &kinds, options.base_edge_length);
     Ok(Network::trace(mesh, topology, &kinds, |v| is_corner[v], minor))
 }

@@ -3,6 +3,7 @@
 //! A scan has creases that are strips of sharp triangles, with spurs on both sides and crumbs beside them. A base vertex at each
 //! of their junctions would use up the base mesh before its first smooth patch.
 
+use crate::FeatureOptions;
 use crate::crease::Creases;
 use crate::strands::{Strand, Strands};
 use mesh_core::{EdgeId, FaceId, IdVec, Topology, TriMesh, VertexId};
@@ -37,8 +38,9 @@ pub(crate) fn simplify(
     topology: &Topology,
     creases: &Creases,
     kinds: &mut Kinds,
-    base_edge_length: f64,
+    options: &FeatureOptions,
 ) -> Vec<Vec<VertexId>> {
+    let base_edge_length = options.base_edge_length;
     if base_edge_length <= 0.0 {
         return Vec::new();
     }
@@ -46,8 +48,8 @@ pub(crate) fn simplify(
     let persistence = persistence(mesh, topology, creases, &network, base_edge_length);
     let mut strands = Strands::new(&network, &persistence);
     dissolve_tiny_sheets(mesh, topology, &network, &mut strands, TINY_SHEET * base_edge_length.powi(2));
-    drop_weak_spurs(&mut strands);
-    drop_weak_islands(&mut strands, network.corners.len());
+    drop_weak_spurs(&mut strands, SPUR * options.persistence);
+    drop_weak_islands(&mut strands, network.corners.len(), ISLAND * options.persistence);
     take_dropped(mesh, topology, &network, &strands, kinds)
 }
 
@@ -167,16 +169,17 @@ impl Sheets {
 }
 
 /// Drops creases with a loose end and little persistence, the weakest first. What a spur leaves behind may be a spur itself.
-fn drop_weak_spurs(strands: &mut Strands) {
+fn drop_weak_spurs(strands: &mut Strands, limit: f64) {
     let key = |id: ArcId, s: &Strand| (s.persistence.to_bits(), id); // not negative: the bits are in order
-    let mut spurs: BTreeSet<_> = strands.iter().filter(|(_, s)| is_weak_spur(strands, s)).map(|(id, s)| key(id, s)).collect();
+    let mut spurs: BTreeSet<_> =
+        strands.iter().filter(|(_, s)| is_weak_spur(strands, s, limit)).map(|(id, s)| key(id, s)).collect();
     while let Some((bits, id)) = spurs.pop_first() {
-        let is_current = |s: &Strand| s.persistence.to_bits() == bits && is_weak_spur(strands, s);
+        let is_current = |s: &Strand| s.persistence.to_bits() == bits && is_weak_spur(strands, s, limit);
         if !strands.of_arc(id).is_some_and(|(strand, s)| strand == id && is_current(s)) {
             continue; // it has become part of a longer one
         }
         for joined in strands.drop_strand(id) {
-            if let Some((id, s)) = strands.of_arc(joined).filter(|(_, s)| is_weak_spur(strands, s)) {
+            if let Some((id, s)) = strands.of_arc(joined).filter(|(_, s)| is_weak_spur(strands, s, limit)) {
                 spurs.insert(key(id, s));
             }
         }
@@ -184,13 +187,13 @@ fn drop_weak_spurs(strands: &mut Strands) {
 }
 
 /// True for a weak crease that ends loosely at one end, and not at the other one.
-fn is_weak_spur(strands: &Strands, strand: &Strand) -> bool {
+fn is_weak_spur(strands: &Strands, strand: &Strand, limit: f64) -> bool {
     let loose_ends = strand.ends.into_iter().flatten().filter(|&c| strands.degree(c) == 1).count();
-    strand.kind == ArcKind::Sharp && loose_ends == 1 && strand.persistence < SPUR
+    strand.kind == ArcKind::Sharp && loose_ends == 1 && strand.persistence < limit
 }
 
 /// Drops connected parts of the network that have only creases and together little persistence.
-fn drop_weak_islands(strands: &mut Strands, n_corners: usize) {
+fn drop_weak_islands(strands: &mut Strands, n_corners: usize, limit: f64) {
     let mut parent: IdVec<CornerId, CornerId> = (0..n_corners as u32).map(CornerId).collect();
     let root = |parent: &IdVec<CornerId, CornerId>, mut c: CornerId| {
         while parent[c] != c {
@@ -207,7 +210,7 @@ fn drop_weak_islands(strands: &mut Strands, n_corners: usize) {
     for (s, [end, _]) in strands.iter().filter_map(|(_, s)| s.ends.map(|e| (s, e))) {
         total[root(&parent, end)] += worth(s);
     }
-    let is_weak = |s: &Strand| s.ends.map_or(worth(s), |[end, _]| total[root(&parent, end)]) < ISLAND;
+    let is_weak = |s: &Strand| s.ends.map_or(worth(s), |[end, _]| total[root(&parent, end)]) < limit;
     let weak: Vec<ArcId> = strands.iter().filter(|(_, s)| is_weak(s)).map(|(id, _)| id).collect();
     weak.into_iter().for_each(|id| {
         strands.drop_strand(id);
