@@ -24,6 +24,9 @@ const LEAST_QUALITY: f64 = 0.25;
 const LEAST_GAIN: f64 = 1e-6;
 /// Passes of flips after a round; most need two or three.
 const FLIP_PASSES: usize = 6;
+/// A pass that closes less than this share of the gap to the wanted number of vertices is the last: corners and arcs don't allow
+/// more.
+const LEAST_PROGRESS: f64 = 0.05;
 
 /// Brings the number of vertices to the request, as far as corners and arcs allow, and the triangles nearer to equilateral, with
 /// edges as long as the sizing field says.
@@ -129,7 +132,8 @@ fn meet_count(editor: &mut Editor<'_>, sizing: &Sizing, wanted: usize) {
             }
         }
         settle(editor);
-        if editor.n_vertices() == before {
+        let gap = |n: usize| n.abs_diff(wanted) as f64;
+        if gap(editor.n_vertices()) > (1.0 - LEAST_PROGRESS) * gap(before) {
             return;
         }
     }

@@ -1,6 +1,17 @@
 //! The whole pipeline: any triangle mesh in, a certified semi-regular mesh out.
 //!
 //! [`remesh`] runs the stages one after the other; each stage is a crate of its own that can be used without the others.
+//!
+//! ```
+//! use semireg::{Options, remesh};
+//!
+//! let soup = fixtures::cube(3).to_soup();
+//! let remeshed = remesh(&soup, &Options { base_vertices: Some(40), levels: 2, ..Options::default() })?;
+//! assert!(remeshed.report.certificate.passed());
+//! let base = &remeshed.stages.base.base.mesh;
+//! assert_eq!(remeshed.mesh.n_faces(), 16 * base.n_faces());
+//! # Ok::<(), semireg::Error>(())
+//! ```
 
 mod base_stages;
 mod error;
