@@ -6,7 +6,6 @@ use crate::triangle_pair::{Triangle, meet_beyond_corner, meet_beyond_edge, trian
 use crate::weld::first_at_position;
 use mesh_core::{Bounds, FaceId, IdVec, VertexId, exact};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// The faces that intersect others, in order. Corners at the same position are the same; faces that are exactly degenerate are
 /// left out.
@@ -20,20 +19,13 @@ pub fn self_intersecting(surface: &Surface) -> Vec<FaceId> {
             exact::collinear(a, b, c)
         })
         .collect();
-    // A pair of faces that are both known to intersect others is not looked at: in a crumpled surface every face meets thousands.
-    // Which pairs that spares depends on the threads, the faces found don't.
-    let found: IdVec<FaceId, AtomicBool> = corners.ids().map(|_| AtomicBool::new(false)).collect();
-    let is_found = |f: FaceId| found[f].load(Relaxed);
     let faces: Vec<FaceId> = corners.ids().filter(|&f| !degenerate[f]).collect();
-    faces.par_iter().for_each(|&f| {
-        let Some(bounds) = Bounds::of(surface.mesh.triangle(f)) else { return };
-        for g in surface.index.faces_in_box(&bounds) {
-            if g > f && !degenerate[g] && !(is_found(f) && is_found(g)) && intersect(surface, &corners, f, g) {
-                [f, g].into_iter().for_each(|f| found[f].store(true, Relaxed));
-            }
-        }
-    });
-    faces.into_iter().filter(|&f| is_found(f)).collect()
+    // The first partner is enough: in a crumpled surface every face meets thousands.
+    let meets_another = |f: FaceId| {
+        let meets = |g: FaceId| g != f && !degenerate[g] && intersect(surface, &corners, f, g);
+        Bounds::of(surface.mesh.triangle(f)).is_some_and(|bounds| surface.index.any_in_box(&bounds, meets))
+    };
+    faces.into_par_iter().filter(|&f| meets_another(f)).collect()
 }
 
 fn intersect(surface: &Surface, corners: &IdVec<FaceId, [VertexId; 3]>, f: FaceId, g: FaceId) -> bool {

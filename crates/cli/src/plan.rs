@@ -3,7 +3,7 @@
 use crate::args::RemeshArgs;
 use anyhow::{Context as _, bail};
 use mesh_io::Format;
-use semireg::Options;
+use semireg::{MAX_TRIANGLES, Options};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -15,9 +15,6 @@ pub(crate) struct RemeshPlan {
     pub(crate) json: bool,
     pub(crate) stages: Option<PathBuf>,
 }
-
-/// Triangles of a result beyond which we refuse: it would take hours and tens of gigabytes.
-const MAX_TRIANGLES: u64 = 50_000_000;
 
 impl RemeshPlan {
     /// Checks that the result can be written, sets up the threads and takes over the options.

@@ -132,12 +132,12 @@ impl SurfaceIndex {
         [self.first_hit(origin, direction), self.first_hit(origin, -direction)]
     }
 
-    /// The faces whose own box meets `bounds`, in order. Some that miss it by a little may be among them.
-    pub fn faces_in_box(&self, bounds: &Bounds) -> Vec<FaceId> {
+    /// Whether something holds for one of the faces whose own box meets `bounds` (or misses it by a little). Looks no further
+    /// once it does.
+    pub fn any_in_box(&self, bounds: &Bounds, holds: impl FnMut(FaceId) -> bool) -> bool {
         let unit_box = self.frame.padded_box([bounds.min, bounds.max, bounds.max], 0);
-        let mut query = BoxQuery { unit_box, found: Vec::new() };
+        let mut query = BoxQuery { unit_box, holds, found: false };
         self.descend(&mut query);
-        query.found.sort_unstable();
         query.found
     }
 
@@ -219,22 +219,23 @@ impl<Keep: Fn(FaceId) -> bool> Query for ClosestQuery<'_, Keep> {
     }
 }
 
-struct BoxQuery {
+struct BoxQuery<Holds> {
     unit_box: Aabb,
-    found: Vec<FaceId>,
+    holds: Holds,
+    found: bool,
 }
 
-impl Query for BoxQuery {
+impl<Holds: FnMut(FaceId) -> bool> Query for BoxQuery<Holds> {
     fn lower_bound(&self, unit_box: &Aabb) -> f64 {
         if self.unit_box.intersect_aabb(unit_box) { 0.0 } else { f64::INFINITY }
     }
 
     fn limit(&self) -> f64 {
-        f64::MAX
+        if self.found { f64::NEG_INFINITY } else { f64::MAX }
     }
 
     fn visit(&mut self, leaf: &Leaf) {
-        self.found.push(leaf.face);
+        self.found = self.found || (self.holds)(leaf.face);
     }
 }
 

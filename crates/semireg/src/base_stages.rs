@@ -27,8 +27,6 @@ pub struct BaseStages {
     pub base: BaseMesh,
     /// What did not go as usual.
     pub warnings: Vec<String>,
-    /// Wall time of the stages.
-    pub seconds: StageSeconds,
 }
 
 /// Fewer, and nothing is left for the inside of the patches (design, section 3).
@@ -37,8 +35,12 @@ const VERTICES_A_PATCH: usize = 16;
 const SPLITTING_ROUNDS: usize = 4;
 
 /// Runs the stages on a cleaned mesh.
-pub(crate) fn base_stages(cleaned: &Cleaned, options: &Options, rung: &Rung) -> Result<BaseStages, Error> {
-    let mut seconds = StageSeconds::default();
+pub(crate) fn base_stages(
+    cleaned: &Cleaned,
+    options: &Options,
+    rung: &Rung,
+    seconds: &mut StageSeconds,
+) -> Result<BaseStages, Error> {
     let (mesh, topology) = (&cleaned.mesh, &cleaned.topology);
     let asked = options.wanted_base_vertices(mesh.n_vertices());
     let wanted = (asked as f64 * rung.base_vertices).round() as usize;
@@ -68,7 +70,7 @@ pub(crate) fn base_stages(cleaned: &Cleaned, options: &Options, rung: &Rung) -> 
                 }
                 base.counts = counts(&base, asked, &sampled.budget, &network, rung);
                 let cleaned = cleaned.clone();
-                return Ok(BaseStages { cleaned, sites: sampled.sites, network, segmentation, cells, base, warnings, seconds });
+                return Ok(BaseStages { cleaned, sites: sampled.sites, network, segmentation, cells, base, warnings });
             }
             // Patches that can't be laid flat are cut in two; one face always can.
             Err(BaseError::Uncharted(patches)) if patches.iter().any(|&p| cells.patches[p].faces.len() > 1) => {

@@ -21,6 +21,18 @@ pub enum Error {
     /// No base mesh.
     #[error(transparent)]
     Base(#[from] basemesh::BaseError),
+    /// The finest level would be too large.
+    #[error(
+        "the result would have {triangles} triangles on {base_vertices} base vertices, more than {}; ask for fewer levels or base \
+         vertices",
+        crate::MAX_TRIANGLES
+    )]
+    TooLarge {
+        /// Vertices of the base mesh.
+        base_vertices: usize,
+        /// Triangles of the finest level.
+        triangles: u64,
+    },
     /// Subdivision failed.
     #[error(transparent)]
     Subdivide(#[from] subdiv::SubdivError),

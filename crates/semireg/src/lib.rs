@@ -23,5 +23,5 @@ mod report;
 pub use base_stages::BaseStages;
 pub use error::Error;
 pub use options::Options;
-pub use pipeline::{Remeshed, Stages, base, remesh};
+pub use pipeline::{MAX_TRIANGLES, Remeshed, Stages, base, remesh};
 pub use report::{Report, StageSeconds};

@@ -1,9 +1,9 @@
 //! The stages in order.
 
 use crate::base_stages::{BaseStages, base_stages};
-use crate::ladder::{LADDER, Rung};
-use crate::{Error, Options, Report};
-use mesh_core::{Cleaned, Soup, Topology, TriMesh, VertexId};
+use crate::ladder::LADDER;
+use crate::{Error, Options, Report, StageSeconds};
+use mesh_core::{Soup, Topology, TriMesh, VertexId};
 use region_map::{ArcKind, RegionMap, SheetNormals, Surface};
 
 /// What the stages from the base mesh on made.
@@ -30,19 +30,35 @@ pub struct Remeshed {
     pub stages: Stages,
 }
 
+/// Triangles of a result beyond which it is refused: it would take hours and tens of gigabytes.
+pub const MAX_TRIANGLES: u64 = 50_000_000;
+/// Once rungs of the ladder with this many triangles in all have failed, no further one is tried. Measured: 5,000 to 10,000
+/// triangles take a second, so this is a minute or two.
+const MOST_FAILED: u64 = 500_000;
+
 /// Remeshes a soup of triangles: all stages, then the certificate. Nothing is returned that does not pass it.
 ///
 /// Where a result does not pass, the next rung of a ladder is tried (other creases, more base vertices), and the report's warnings
-/// say so.
+/// say so. Large results have fewer tries.
 pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
-    let cleaned = mesh_core::clean(soup, &options.clean)?;
+    let mut seconds = StageSeconds::default();
+    let cleaned = seconds.time("clean", || mesh_core::clean(soup, &options.clean))?;
     let mut warnings = Vec::new();
     let mut first_failure = None;
+    let mut triangles = 0;
     for rung in &LADDER {
-        match run(&cleaned, options, rung) {
+        if triangles > MOST_FAILED {
+            break;
+        }
+        let result = base_stages(&cleaned, options, rung, &mut seconds).and_then(|stages| {
+            triangles += finest_triangles(&stages, options.levels)?;
+            run(stages, options, &mut seconds)
+        });
+        match result {
             Ok(mut remeshed) => {
                 warnings.append(&mut remeshed.report.warnings);
                 remeshed.report.warnings = warnings;
+                remeshed.report.seconds = seconds;
                 return Ok(remeshed);
             }
             Err(e @ (Error::NotCertified(_) | Error::Base(_))) => {
@@ -57,14 +73,22 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
 
 /// The stages from cleaning to the base mesh.
 pub fn base(soup: &Soup, options: &Options) -> Result<BaseStages, Error> {
-    base_stages(&mesh_core::clean(soup, &options.clean)?, options, &LADDER[0])
+    base_stages(&mesh_core::clean(soup, &options.clean)?, options, &LADDER[0], &mut StageSeconds::default())
 }
 
-/// All stages on one rung of the ladder.
-fn run(cleaned: &Cleaned, options: &Options, rung: &Rung) -> Result<Remeshed, Error> {
-    let mut stages = base_stages(cleaned, options, rung)?;
-    let mut seconds = std::mem::take(&mut stages.seconds);
-    let BaseStages { network, base, .. } = &stages;
+/// Triangles of the finest level. Refuses too many here, as nobody knows the size of the base mesh before it is made.
+fn finest_triangles(stages: &BaseStages, levels: u32) -> Result<u64, Error> {
+    let base = &stages.base.mesh;
+    let triangles = 4u64.saturating_pow(levels).saturating_mul(base.n_faces() as u64);
+    if triangles > MAX_TRIANGLES {
+        return Err(Error::TooLarge { base_vertices: base.n_vertices(), triangles });
+    }
+    Ok(triangles)
+}
+
+/// The stages after the base mesh.
+fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
+    let BaseStages { cleaned, network, base, .. } = &stages;
     let normals = SheetNormals::new(&cleaned.mesh, &cleaned.topology, network);
     let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals: &normals };
     let domain = seconds.time("subdivide", || subdiv::subdivide(&base.mesh, &base.region, options.levels))?;
@@ -88,7 +112,7 @@ fn run(cleaned: &Cleaned, options: &Options, rung: &Rung) -> Result<Remeshed, Er
         project: projected.report,
         relax: relaxed.report,
         certificate,
-        seconds,
+        seconds: StageSeconds::default(),
     };
     let stages = Stages { subdivided: domain.mesh, projected: projected.mesh, region: relaxed.map, base: stages };
     Ok(Remeshed { mesh: relaxed.mesh, report, stages })

@@ -115,6 +115,22 @@ fn one_thread_and_two_give_the_same_bits() {
 }
 
 #[test]
+fn a_base_mesh_is_as_large_as_its_corners_and_arcs_need_and_says_why() {
+    let cube = |base_vertices: usize| check("cube", &fixtures::cube(4), base_vertices, 1).report.base;
+    let few = cube(5);
+    assert_eq!((few.asked, few.needed), (5, 8));
+    assert!(few.made >= 8 && few.reason.contains("8 corners and 12 arcs"), "{few:?}");
+    let enough = cube(60);
+    assert_eq!((enough.asked, enough.needed, enough.made, enough.reason.as_str()), (60, 8, 60, ""));
+}
+
+#[test]
+fn a_result_that_would_be_too_large_is_refused() {
+    let error = remesh(&fixtures::cube(4).to_soup(), &options(500, 8)).unwrap_err();
+    assert!(matches!(error, Error::TooLarge { base_vertices: 500, .. }), "{error}");
+}
+
+#[test]
 fn nothing_in_is_an_error_that_says_so() {
     let nothing = [
         Soup::default(),
