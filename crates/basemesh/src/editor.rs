@@ -11,6 +11,8 @@ use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, S
 
 /// An edge counts as at most this many times as long as its chord: half a circle over its diameter.
 const LONGEST_DETOUR: f64 = 2.5;
+/// The direction of an arc at a vertex is that to the point this far along the edge.
+const NEAR_START: f64 = 0.1;
 /// Steps in which the length of an edge is measured on the surface.
 const LENGTH_STEPS: usize = 4;
 /// Moves shorter than this share of the mean edge of the star are not worth an edit.
@@ -105,6 +107,13 @@ impl<'a> Editor<'a> {
     /// Attachment of a vertex.
     pub(crate) fn attachment(&self, v: VertexId) -> Attachment {
         self.region.attachments[v]
+    }
+    /// Unit direction in which an edge on an arc leaves `v`, along the arc.
+    pub(crate) fn arc_direction(&self, v: VertexId, to: VertexId) -> Option<DVec3> {
+        let span = self.span(v, to)?;
+        let arc = &self.surface.network.arcs[span.arc];
+        let near = arc.position(self.surface.mesh, span.from + NEAR_START * (span.to - span.from));
+        (near - self.positions[v]).try_normalize()
     }
     /// Length on the surface of what the map makes of an edge, on an arc that of its span. A chord would not see a limb that the
     /// edge cuts off; but where the map itself winds, splitting the edge would only wind it more, so the detour is bounded.

@@ -7,7 +7,7 @@
 
 use crate::BaseOptions;
 use crate::editor::Editor;
-use crate::shape::{collapsed_shape, flip_gain};
+use crate::shape::{collapsed_shape, flip_gain, is_ear};
 use mesh_core::VertexId;
 use region_map::Sizing;
 
@@ -45,6 +45,18 @@ pub(crate) fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOp
         length *= ratio.sqrt().clamp(0.8, 1.25);
     }
     meet_count(editor, sizing, options.base_vertices);
+    cut_ears(editor);
+}
+
+/// Splits the edge opposite to the flat corner of every ear that flips could not take away.
+fn cut_ears(editor: &mut Editor<'_>) {
+    for [a, b] in editor.edges() {
+        let sides = editor.faces_beside(a, b);
+        let is_cut = sides.into_iter().flatten().any(|(f, _)| is_ear(editor, f.vertices));
+        if is_cut && editor.span(a, b).is_none() && editor.split(a, b).is_some() {
+            flip_edges(editor);
+        }
+    }
 }
 
 /// Flips and moves until neither gains much.

@@ -9,6 +9,10 @@ use region_map::Attachment;
 const VALENCE_COST: f64 = 0.12;
 /// Cost of a right angle between two neighbouring triangles off the creases.
 const FOLD_COST: f64 = 2.0;
+/// Cost of an ear: above two of the worst shapes, so that no flip makes one to mend a needle.
+const EAR_COST: f64 = 300.0;
+/// Cosine of the angle between two arcs beyond which a triangle in it is an ear: 150 degrees.
+const EAR_COSINE: f64 = -0.866;
 /// Cap on the shape cost, so that one needle does not outweigh all.
 const WORST_SHAPE: f64 = 100.0;
 
@@ -26,10 +30,9 @@ pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     if editor.span(a, b).is_some() || c == d || editor.is_edge(c, d) || editor.valence(a) <= 3 || editor.valence(b) <= 3 {
         return f64::NEG_INFINITY;
     }
-    let p = |v| editor.position(v);
-    let before = pair_cost(([p(a), p(b), p(c)], f.normal), ([p(b), p(a), p(d)], g.normal));
     let normal = (f.normal + g.normal).normalize_or_zero();
-    let after = pair_cost(([p(a), p(d), p(c)], normal), ([p(d), p(b), p(c)], normal));
+    let before = pair_cost(editor, ([a, b, c], f.normal), ([b, a, d], g.normal));
+    let after = pair_cost(editor, ([a, d, c], normal), ([d, b, c], normal));
     let valence_gain = |v: VertexId, change: f64| {
         let excess = editor.valence(v) as f64 - ideal_valence(editor, v);
         excess.powi(2) - (excess + change).powi(2)
@@ -38,10 +41,25 @@ pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     before - after + VALENCE_COST * valences
 }
 
-/// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones.
-fn pair_cost(s: ([DVec3; 3], DVec3), t: ([DVec3; 3], DVec3)) -> f64 {
-    let fold = 1.0 - mesh_core::normal(s.0).dot(mesh_core::normal(t.0));
-    inverse_mean_ratio(s.0, s.1) + inverse_mean_ratio(t.0, t.1) + FOLD_COST * fold
+/// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones. Ears cost more than
+/// anything.
+fn pair_cost(editor: &Editor<'_>, s: ([VertexId; 3], DVec3), t: ([VertexId; 3], DVec3)) -> f64 {
+    let [p, q] = [s.0, t.0].map(|f| f.map(|v| editor.position(v)));
+    let fold = 1.0 - mesh_core::normal(p).dot(mesh_core::normal(q));
+    let ears = [s.0, t.0].into_iter().filter(|&f| is_ear(editor, f)).count();
+    inverse_mean_ratio(p, s.1) + inverse_mean_ratio(q, t.1) + FOLD_COST * fold + EAR_COST * ears as f64
+}
+
+/// True for a triangle with two edges on arcs that go on nearly straight at their common vertex. However good the base triangle
+/// looks: subdivided along the arcs, its corner there opens to 180 degrees.
+pub(crate) fn is_ear(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
+    (0..3).any(|i| {
+        let [v, next, last] = [0, 1, 2].map(|k| face[(i + k) % 3]);
+        match (editor.arc_direction(v, next), editor.arc_direction(v, last)) {
+            (Some(a), Some(b)) => a.dot(b) < EAR_COSINE,
+            _ => false,
+        }
+    })
 }
 
 /// `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, 1 for an equilateral triangle that faces along `normal`; the area `A` is that seen along it.

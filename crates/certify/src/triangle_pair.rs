@@ -38,8 +38,13 @@ fn free_axis(t: Triangle) -> Option<usize> {
 
 /// Whether two triangles meet that have no corner in common.
 pub(crate) fn triangles_meet(t: Triangle, u: Triangle) -> bool {
+    // Most pairs are settled by a plane that has one triangle on its one side.
+    let apart = |t: Triangle, u: Triangle| {
+        let sides = u.map(|p| side3(t, p));
+        sides[0] != Equal && sides.iter().all(|&s| s == sides[0])
+    };
     let edge_meets = |t: Triangle, u: Triangle| (0..3).any(|c| segment_meets([t[c], t[(c + 1) % 3]], u));
-    edge_meets(t, u) || edge_meets(u, t)
+    !apart(t, u) && !apart(u, t) && (edge_meets(t, u) || edge_meets(u, t))
 }
 
 /// Whether two triangles with the one common corner `[0]` meet elsewhere: the common line leaves one of them through the edge

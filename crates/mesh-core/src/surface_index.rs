@@ -132,8 +132,8 @@ impl SurfaceIndex {
         [self.first_hit(origin, direction), self.first_hit(origin, -direction)]
     }
 
-    /// Whether something holds for one of the faces whose own box meets `bounds` (or misses it by a little). Looks no further
-    /// once it does.
+    /// Whether something holds for one of the faces whose own box meets `bounds`, or misses it by a little. Looks no further once it
+    /// does.
     pub fn any_in_box(&self, bounds: &Bounds, holds: impl FnMut(FaceId) -> bool) -> bool {
         let unit_box = self.frame.padded_box([bounds.min, bounds.max, bounds.max], 0);
         let mut query = BoxQuery { unit_box, holds, found: false };

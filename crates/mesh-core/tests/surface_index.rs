@@ -1,7 +1,7 @@
 //! [`SurfaceIndex`] against brute force over all faces.
 
 use glam::DVec3;
-use mesh_core::{Closest, FaceId, Hit, Line, SurfaceIndex, SurfacePoint, TriMesh, closest_on_triangle};
+use mesh_core::{Bounds, Closest, FaceId, Hit, Line, SurfaceIndex, SurfacePoint, TriMesh, closest_on_triangle};
 use proptest::prelude::*;
 
 fn brute_closest(mesh: &TriMesh, faces: &[FaceId], point: DVec3) -> Option<Closest> {
@@ -193,6 +193,27 @@ fn a_slanted_ray_from_any_point_of_a_surface_finds_it_at_once() {
                 assert!(t[0].min(t[1]) < 1e-9, "{p} along {direction}: {t:?}");
             }
         }
+    }
+}
+
+#[test]
+fn faces_whose_box_meets_a_box_are_looked_at_until_one_will_do() {
+    let mesh = grid(16, 1, 0.5);
+    let index = SurfaceIndex::new(&mesh);
+    let bounds_of = |f: FaceId| Bounds::of(mesh.triangle(f)).unwrap();
+    let meet = |a: &Bounds, b: &Bounds| a.min.cmple(b.max).all() && b.min.cmple(a.max).all();
+    for f in mesh.faces().ids() {
+        let mut seen = Vec::new();
+        let look = |g: FaceId, seen: &mut Vec<FaceId>, enough: usize| {
+            seen.push(g);
+            seen.len() == enough
+        };
+        assert!(!index.any_in_box(&bounds_of(f), |g| look(g, &mut seen, usize::MAX)));
+        assert!(mesh.faces().ids().all(|g| seen.contains(&g) || !meet(&bounds_of(f), &bounds_of(g))));
+        assert!(seen.len() < mesh.n_faces() / 4, "{}", seen.len());
+        seen.clear();
+        assert!(index.any_in_box(&bounds_of(f), |g| look(g, &mut seen, 2)));
+        assert_eq!(seen.len(), 2);
     }
 }
 
