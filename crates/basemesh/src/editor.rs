@@ -5,9 +5,10 @@
 use crate::BaseError;
 use crate::layout::{are_unfolded, full_star, half_star, quad};
 use crate::shape::signed_quality;
+use crate::star::{Face, Ring, edges_of, side_between};
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, SheetId, Sizing, Surface, flat_barycentric};
+use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, Sizing, Surface, flat_barycentric};
 
 /// An edge counts as at most this many times as long as its chord: half a circle over its diameter.
 const LONGEST_DETOUR: f64 = 2.5;
@@ -19,37 +20,6 @@ const LENGTH_STEPS: usize = 4;
 const LEAST_MOVE: f64 = 0.03;
 /// A move may make triangles worse as long as they stay better than this (AR).
 const GOOD_ENOUGH: f64 = 0.6;
-
-/// A base face.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Face {
-    pub(crate) vertices: [VertexId; 3],
-    /// Unit normal of the surface at the point that the map gives the middle of the face.
-    pub(crate) normal: DVec3,
-    sheet: SheetId,
-    map: MapFaceId,
-}
-
-impl Face {
-    /// The corner of the face at a vertex.
-    fn corner(&self, v: VertexId) -> Option<usize> {
-        self.vertices.iter().position(|&w| w == v)
-    }
-    /// The face with its corners turned so that `v` comes first.
-    fn from(&self, v: VertexId) -> [VertexId; 3] {
-        let c = self.corner(v).unwrap_or(0);
-        [0, 1, 2].map(|i| self.vertices[(c + i) % 3])
-    }
-}
-
-/// The neighbours of a vertex, counter-clockwise, and the faces between one and the next.
-#[derive(Clone, Debug)]
-pub(crate) struct Ring {
-    pub(crate) vertices: Vec<VertexId>,
-    faces: Vec<FaceId>,
-    /// True all round, false from border to border.
-    pub(crate) closed: bool,
-}
 
 /// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
 pub(crate) struct Editor<'a> {
@@ -87,6 +57,17 @@ impl<'a> Editor<'a> {
     /// All vertices that there are now.
     pub(crate) fn vertices(&self) -> Vec<VertexId> {
         self.star.enumerate().filter(|(_, s)| !s.is_empty()).map(|(v, _)| v).collect()
+    }
+    /// All faces now.
+    pub(crate) fn faces(&self) -> Vec<[VertexId; 3]> {
+        self.faces.iter().flatten().map(|f| f.vertices).collect()
+    }
+    /// True while there is a face with these corners, in this order.
+    pub(crate) fn is_face(&self, corners: [VertexId; 3]) -> bool {
+        self.find_face(corners).is_some()
+    }
+    fn find_face(&self, corners: [VertexId; 3]) -> Option<FaceId> {
+        self.star[corners[0]].iter().copied().find(|&f| self.face(f).is_some_and(|f| f.from(corners[0]) == corners))
     }
     /// All edges now, ends rising, in a fixed order.
     pub(crate) fn edges(&self) -> Vec<[VertexId; 2]> {
@@ -255,6 +236,23 @@ impl<'a> Editor<'a> {
             self.region.spans.remove(&[a.min(b), a.max(b)]);
             self.region.insert_span(a, m, ArcSpan { to: middle, ..s });
             self.region.insert_span(m, b, ArcSpan { from: middle, ..s });
+        }
+        self.n_vertices += 1;
+        Some(m)
+    }
+
+    /// Puts a vertex in the middle of a face. `None` when there is no such face.
+    pub(crate) fn split_face(&mut self, face: [VertexId; 3]) -> Option<VertexId> {
+        let id = self.find_face(face)?;
+        let Face { sheet, map, .. } = self.face(id)?;
+        let point = self.map.locate(map, DVec3::splat(1.0 / 3.0));
+        let m = self.add_vertex(Attachment::Sheet(sheet), point, false);
+        // Cutting a triangle at its middle means the same in every layout of it.
+        let flat = [DVec2::ZERO, DVec2::X, DVec2::Y];
+        let middle = flat.iter().sum::<DVec2>() / 3.0;
+        let part = |i: usize| ([face[i], face[(i + 1) % 3], m], [flat[i], flat[(i + 1) % 3], middle]);
+        if !self.replace(&[(id, face, flat)], &[part(0), part(1), part(2)]) {
+            return None;
         }
         self.n_vertices += 1;
         Some(m)
@@ -475,30 +473,7 @@ impl<'a> Editor<'a> {
     }
 }
 
-/// The edges of faces, each once, ends rising, in order.
-fn edges_of<'f>(faces: impl Iterator<Item = &'f Face>) -> Vec<[VertexId; 2]> {
-    let sides = faces.flat_map(|f| (0..3).map(|c| [f.vertices[c], f.vertices[(c + 1) % 3]]));
-    let mut edges: Vec<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
-}
-
 /// Normal of the surface at the middle of a face of the map.
 fn surface_normal(surface: &Surface<'_>, map: &BaseMap, face: MapFaceId) -> DVec3 {
     surface.normals.at(map.locate(face, DVec3::splat(1.0 / 3.0)))
-}
-
-/// The part of a ring from one of its vertices to another, counter-clockwise; `None` where the border lies between.
-fn side_between(ring: &Ring, first: VertexId, last: VertexId) -> Option<Ring> {
-    let n = ring.vertices.len();
-    let start = ring.vertices.iter().position(|&v| v == first)?;
-    let end = ring.vertices.iter().position(|&v| v == last)?;
-    if !ring.closed && end < start {
-        return None;
-    }
-    let count = (end + n - start) % n;
-    let vertices = (0..=count).map(|i| ring.vertices[(start + i) % n]).collect();
-    let faces = (0..count).map(|i| ring.faces[(start + i) % n]).collect();
-    Some(Ring { vertices, faces, closed: false })
 }

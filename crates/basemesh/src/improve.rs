@@ -44,19 +44,25 @@ pub(crate) fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOp
         let ratio = editor.n_vertices() as f64 / options.base_vertices as f64;
         length *= ratio.sqrt().clamp(0.8, 1.25);
     }
+    cut_ears(editor);
     meet_count(editor, sizing, options.base_vertices);
     cut_ears(editor);
 }
 
-/// Splits the edge opposite to the flat corner of every ear that flips could not take away.
+/// Cuts the ears that flips could not take away: at the edge off the arcs, or where there is none (a disk inside a small loop) at a
+/// new vertex inside.
 fn cut_ears(editor: &mut Editor<'_>) {
-    for [a, b] in editor.edges() {
-        let sides = editor.faces_beside(a, b);
-        let is_cut = sides.into_iter().flatten().any(|(f, _)| is_ear(editor, f.vertices));
-        if is_cut && editor.span(a, b).is_none() && editor.split(a, b).is_some() {
-            flip_edges(editor);
+    for face in editor.faces() {
+        if !is_ear(editor, face) || !editor.is_face(face) {
+            continue;
         }
+        let sides = [0, 1, 2].map(|i| [face[i], face[(i + 1) % 3]]);
+        match sides.into_iter().find(|&[a, b]| editor.span(a, b).is_none()) {
+            Some([a, b]) => editor.split(a, b),
+            None => editor.split_face(face),
+        };
     }
+    flip_edges(editor);
 }
 
 /// Flips and moves until neither gains much.

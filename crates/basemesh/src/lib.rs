@@ -44,6 +44,7 @@ mod polygon;
 mod shape;
 #[cfg(test)]
 mod shapes;
+mod star;
 #[cfg(test)]
 mod tests;
 mod tutte;

@@ -1,6 +1,7 @@
 //! What an edit would do to the shape of the base triangles.
 
-use crate::editor::{Editor, Face};
+use crate::editor::Editor;
+use crate::star::Face;
 use glam::DVec3;
 use mesh_core::VertexId;
 use region_map::Attachment;

@@ -36,11 +36,12 @@ fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usiz
     for &(edge, what) in choices {
         let edges = editor.edges();
         let [a, b] = edges[edge as usize % edges.len()];
-        done += usize::from(match what % 5 {
+        done += usize::from(match what % 6 {
             0 => editor.flip(a, b),
             1 => editor.split(a, b).is_some(),
             2 => editor.collapse(a, b),
             3 => editor.collapse(b, a),
+            4 => editor.faces_beside(a, b)[0].is_some_and(|(f, _)| editor.split_face(f.vertices).is_some()),
             _ => editor.relax_vertex(a),
         });
         assert_eq!(editor.n_vertices(), editor.vertices().len());
@@ -65,4 +66,15 @@ fn most_edits_of_a_sphere_are_possible() {
     let (base, done) = edit(&shape, shape.base(60, 0), &choices);
     assert!(done > 60, "only {done} of 100 edits were made");
     shape.check(&base);
+}
+
+#[test]
+fn no_base_triangle_is_an_ear() {
+    // A cap inside three segments of its rim would be one triangle with three flat corners.
+    let shape = Shape::cylinder();
+    let base = shape.base(8, 10);
+    shape.check(&base);
+    let surface = shape.surface();
+    let editor = Editor::new(&surface, base).unwrap();
+    assert!(editor.faces().into_iter().all(|f| !crate::shape::is_ear(&editor, f)));
 }
