@@ -13,16 +13,6 @@ pub(crate) struct Rung {
     pub(crate) what: &'static str,
 }
 
-/// Inputs with more faces than this get only [`RUNGS_WHEN_LARGE`] rungs: each costs a minute there, and a refusal is due in time.
-const LARGE: usize = 80_000;
-/// See [`LARGE`].
-const RUNGS_WHEN_LARGE: usize = 2;
-
-/// The rungs for an input with so many faces.
-pub(crate) fn rungs(n_faces: usize) -> &'static [Rung] {
-    if n_faces > LARGE { &LADDER[..RUNGS_WHEN_LARGE] } else { &LADDER }
-}
-
 /// Most models pass on the first rung. A crease that was left out may have been needed, or one that was kept may be noise; and what
 /// is too coarse for the shape needs more vertices.
 pub(crate) const LADDER: [Rung; 6] = [
