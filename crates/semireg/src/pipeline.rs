@@ -32,8 +32,8 @@ pub struct Remeshed {
 
 /// Triangles of a result beyond which it is refused: it would take hours and tens of gigabytes.
 pub const MAX_TRIANGLES: u64 = 50_000_000;
-/// Once rungs of the ladder with this many triangles in all have failed, no further one is tried. Measured: 5,000 to 10,000
-/// triangles take a second, so this is a minute or two.
+/// Once rungs of the ladder with this many triangles in all have failed, no further one is tried. Two cores make
+/// 9,000 (mech-holes-shark, six rungs) to 15,000 triangles (fandisk) a second, so this is about a minute, and then the last rung's own.
 const MOST_FAILED: u64 = 500_000;
 
 /// Remeshes a soup of triangles: all stages, then the certificate. Nothing is returned that does not pass it.

@@ -30,7 +30,9 @@ pub(super) enum Outcome {
     Remeshed { output: PathBuf, report: Value, seconds: f64 },
     /// Exit 1 with its reason.
     Refused { reason: String, seconds: f64 },
-    /// Anything else: a panic, a hang, a result that does not check.
+    /// Stopped at the limit.
+    Stopped { seconds: f64 },
+    /// Anything else: a panic, a result that does not check.
     Failed { fault: String },
 }
 
@@ -62,7 +64,7 @@ impl Remesher {
                 Outcome::Refused { reason: ended.last_error, seconds: ended.seconds }
             }
             Some(code) => Outcome::Failed { fault: format!("exit {code}: {}", ended.last_error) },
-            None => Outcome::Failed { fault: format!("stopped after {:.0} s: {}", ended.seconds, ended.last_error) },
+            None => Outcome::Stopped { seconds: ended.seconds },
         })
     }
 
@@ -84,11 +86,17 @@ impl Remesher {
 
 impl Outcome {
     /// What must not happen on any input.
-    pub(super) fn fault(&self) -> Option<&str> {
+    pub(super) fn fault(&self) -> Option<String> {
         match self {
-            Self::Failed { fault } => Some(fault),
+            Self::Failed { fault } => Some(fault.clone()),
+            Self::Stopped { seconds } => Some(format!("stopped after {seconds:.0} s")),
             _ => None,
         }
+    }
+
+    /// The same, where the time that a run takes does not count.
+    pub(super) fn fault_but_time(&self) -> Option<String> {
+        self.fault().filter(|_| !matches!(self, Self::Stopped { .. }))
     }
 
     /// A row of the table.
@@ -96,6 +104,7 @@ impl Outcome {
         match self {
             Self::Remeshed { report, seconds, .. } => format!("{name:25} ok {} {seconds:8.1}", figures(report)),
             Self::Refused { reason, seconds } => format!("{name:25} refused {seconds:.1} s  {reason}"),
+            Self::Stopped { seconds } => format!("{name:25} stopped after {seconds:.0} s"),
             Self::Failed { fault } => format!("{name:25} FAILED  {fault}"),
         }
     }
