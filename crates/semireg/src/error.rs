@@ -48,6 +48,17 @@ pub enum Error {
     /// Relaxation failed.
     #[error(transparent)]
     Relax(#[from] relax::RelaxError),
+    /// So much of the result is folded that neither a certificate nor another rung of the ladder is worth its time.
+    #[error(
+        "{inverted} of {faces} triangles would face against the surface: the base mesh is too coarse for its shape; ask for more base \
+         vertices (--base-vertices), or split the file into its parts"
+    )]
+    Folded {
+        /// Triangles that face against the surface.
+        inverted: usize,
+        /// Triangles in all.
+        faces: usize,
+    },
     /// The finished mesh did not pass the certificate.
     #[error("the result is not certified: {0}; ask for more base vertices (--base-vertices) or fewer levels")]
     NotCertified(String),
