@@ -17,6 +17,8 @@ pub struct BaseStages {
     pub cleaned: Cleaned,
     /// Corners, arcs and sheets.
     pub network: Network,
+    /// One-sided normals of the working mesh.
+    pub normals: SheetNormals,
     /// Patches.
     pub segmentation: Segmentation,
     /// Patches with their borders.
@@ -70,7 +72,7 @@ pub(crate) fn base_stages(
                 }
                 base.counts = counts(&base, asked, &sampled.budget, &network, rung);
                 let cleaned = cleaned.clone();
-                return Ok(BaseStages { cleaned, sites: sampled.sites, network, segmentation, cells, base, warnings });
+                return Ok(BaseStages { cleaned, sites: sampled.sites, network, normals, segmentation, cells, base, warnings });
             }
             // Patches that can't be laid flat are cut in two; one face always can.
             Err(BaseError::Uncharted(patches)) if patches.iter().any(|&p| cells.patches[p].faces.len() > 1) => {

@@ -4,7 +4,7 @@ use crate::base_stages::{BaseStages, base_stages};
 use crate::ladder::LADDER;
 use crate::{Error, Options, Report, StageSeconds};
 use mesh_core::{Soup, Topology, TriMesh, VertexId};
-use region_map::{ArcKind, RegionMap, SheetNormals, Surface};
+use region_map::{ArcKind, RegionMap, Surface};
 
 /// What the stages from the base mesh on made.
 #[derive(Clone, Debug)]
@@ -92,9 +92,8 @@ fn finest_triangles(stages: &BaseStages, levels: u32) -> Result<u64, Error> {
 
 /// The stages after the base mesh.
 fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
-    let BaseStages { cleaned, network, base, .. } = &stages;
-    let normals = SheetNormals::new(&cleaned.mesh, &cleaned.topology, network);
-    let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals: &normals };
+    let BaseStages { cleaned, network, normals, base, .. } = &stages;
+    let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals };
     let domain = seconds.time("subdivide", || subdiv::subdivide(&base.mesh, &base.region, options.levels))?;
     let origins = project::Origins { base, points: &domain.origins };
     let projected =
