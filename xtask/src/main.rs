@@ -1,8 +1,14 @@
 //! Chores of the workspace, run as `cargo xtask <chore>`.
 
+mod ablation;
 mod ci;
+mod markdown;
+mod models;
 mod process;
+mod python;
 mod regress;
+mod remesher;
+mod results;
 mod tidy;
 
 use clap::{Parser, Subcommand};
@@ -24,6 +30,10 @@ enum Chore {
     Tidy,
     /// Remesh the fixtures and compare with the stored figures and with libigl
     Regress(regress::Args),
+    /// Remesh a folder of models, with and without the fit, and write the tables of docs/results.md
+    Results(results::Args),
+    /// Measure what each part of the method adds, and write the tables of docs/ablation.md
+    Ablation(ablation::Args),
 }
 
 fn main() -> ExitCode {
@@ -31,6 +41,8 @@ fn main() -> ExitCode {
         Chore::Ci => ci::run(),
         Chore::Tidy => tidy::run(),
         Chore::Regress(args) => regress::run(&args),
+        Chore::Results(args) => results::run(&args),
+        Chore::Ablation(args) => ablation::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

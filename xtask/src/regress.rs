@@ -1,18 +1,18 @@
 //! Remeshes the fixtures, and a folder of models when there is one, with the release binary.
 //!
 //! Every fixture's figures are compared with those in `fixtures/expected.json`, and our distances with libigl's. Models have no
-//! stored figures: there a refusal is fine, while a panic, a hang or a result that does not check is not.
+//! stored figures: there a refusal is fine, while a panic, a hang or a result that does not check is not. The base mesh of every
+//! input is made once more by itself, for its map to be checked.
 
 mod expected;
 mod oracle;
-mod remesher;
 
-use crate::process::{cargo, must, output};
+use crate::models::files;
+use crate::process::target_directory;
+use crate::remesher::{HEADER, LIMIT, Outcome, Remesher, Request};
 use crate::root;
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Result, anyhow, bail};
 use expected::Expected;
-use remesher::{Outcome, Remesher, Request};
-use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -28,18 +28,14 @@ pub(crate) struct Args {
     update: bool,
 }
 
-/// Time after which a run counts as a hang.
-const LIMIT: Duration = Duration::from_secs(300);
 /// Time that a model of the environment's folder gets, so that a check of a change stays quick: what takes longer is listed as
 /// stopped, and `--models` runs it to its end.
 const QUICK_LIMIT: Duration = Duration::from_secs(60);
 
 /// Runs fixtures and models; fails when anything is worse than it should be.
 pub(crate) fn run(args: &Args) -> Result<()> {
-    let target = target_directory()?;
-    must(&mut cargo(&["build", "--release", "-p", "cli"]))?;
-    let within = |limit| Remesher::new(&target.join("release/semireg"), &target.join("regress"), limit);
-    let mut problems = fixtures(&within(LIMIT)?, &target, args.update)?;
+    let within = |limit| Remesher::build("regress", limit);
+    let mut problems = fixtures(&within(LIMIT)?, &target_directory()?, args.update)?;
     match (&args.models, std::env::var_os("SEMIREG_MODELS").map(PathBuf::from)) {
         (Some(folder), _) => problems.extend(models(&within(LIMIT)?, folder, Outcome::fault)?),
         (None, Some(folder)) => problems.extend(models(&within(QUICK_LIMIT)?, &folder, Outcome::fault_but_time)?),
@@ -54,25 +50,19 @@ pub(crate) fn run(args: &Args) -> Result<()> {
     }
 }
 
-/// The folder that cargo builds into.
-fn target_directory() -> Result<PathBuf> {
-    let text = output(&mut cargo(&["metadata", "--format-version", "1", "--locked", "--no-deps"]))?;
-    let metadata: Value = serde_json::from_str(&text)?;
-    metadata["target_directory"].as_str().map(PathBuf::from).context("cargo metadata names no target directory")
-}
-
 fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<String>> {
     let data = root().join("fixtures/data");
     let mut expected = Expected::load(&root().join("fixtures/expected.json"), &files(&data)?)?;
     let mut problems = Vec::new();
     let mut pairs = Vec::new();
-    println!("{}", remesher::HEADER);
+    println!("{}", HEADER);
     for (file, entry) in &mut expected.fixtures {
         let input = data.join(file);
-        let request = Request { input: &input, base_vertices: Some(entry.base_vertices), levels: entry.levels, threads: None };
+        let request = Request { base_vertices: Some(entry.base_vertices), levels: entry.levels, ..Request::of(&input) };
         let outcome = remesher.run(&request)?;
         println!("{}", outcome.row(file));
-        problems.extend(outcome.fault().map(|fault| format!("{file}: {fault}")));
+        let faults = [outcome.fault(), remesher.base(&request)?.fault()];
+        problems.extend(faults.into_iter().flatten().map(|fault| format!("{file}: {fault}")));
         match update {
             true => entry.take(&outcome),
             false => problems.extend(entry.compare(&outcome).into_iter().map(|p| format!("{file}: {p}"))),
@@ -92,16 +82,18 @@ fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<Stri
 
 /// As many models at a time as there are processors, each on one thread; rows are printed as they come.
 fn models(remesher: &Remesher, folder: &Path, fault: fn(&Outcome) -> Option<String>) -> Result<Vec<String>> {
-    println!("\n{}", remesher::HEADER);
+    println!("\n{}", HEADER);
     let files = files(folder)?;
     let next = AtomicUsize::new(0);
     let work = || -> Result<Vec<String>> {
         let mut problems = Vec::new();
         while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let request = Request { input: &folder.join(file), base_vertices: None, levels: 3, threads: Some(1) };
+            let input = folder.join(file);
+            let request = Request { threads: Some(1), ..Request::of(&input) };
             let outcome = remesher.run(&request)?;
             println!("{}", outcome.row(file));
-            problems.extend(fault(&outcome).map(|fault| format!("{file}: {fault}")));
+            let faults = [fault(&outcome), fault(&remesher.base(&request)?)];
+            problems.extend(faults.into_iter().flatten().map(|fault| format!("{file}: {fault}")));
         }
         Ok(problems)
     };
@@ -114,13 +106,4 @@ fn models(remesher: &Remesher, folder: &Path, fault: fn(&Outcome) -> Option<Stri
         }
         Ok(problems)
     })
-}
-
-/// Names of the mesh files in a folder, sorted.
-fn files(folder: &Path) -> Result<Vec<String>> {
-    let entries = std::fs::read_dir(folder).with_context(|| format!("cannot list {}", folder.display()))?;
-    let mut names = entries.map(|e| Ok(e?.file_name().to_string_lossy().into_owned())).collect::<Result<Vec<_>>>()?;
-    names.retain(|name| [".obj", ".ply", ".stl", ".off", ".gltf", ".glb"].iter().any(|end| name.to_lowercase().ends_with(end)));
-    names.sort();
-    Ok(names)
 }

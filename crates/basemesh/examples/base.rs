@@ -4,7 +4,7 @@ use basemesh::{BaseOptions, build};
 use glam::DVec3;
 use mesh_core::{Topology, aspect_ratio};
 use region_map::{Cells, SheetNormals, Sizing, Surface};
-use segment_cvt::{CvtOptions, SizingField, sample};
+use segment_cvt::{CvtOptions, sample};
 use segment_vsa::{VsaOptions, segment};
 use std::error::Error;
 
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (segmentation, _) = segment(&mesh, &topology, &network, &vsa)?;
     let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
     let wanted = CvtOptions { base_vertices, ..Default::default() };
-    let sites = sample(&mesh, &cells, &SizingField::uniform(), &wanted)?.sites;
+    let sites = sample(&mesh, &cells, &Sizing::uniform(&mesh), &wanted)?.sites;
 
     // The triangulation of the sites, and what the improvement makes of it. Any chart will do here: no patch is split.
     for rounds in [0, 10] {

@@ -58,7 +58,7 @@ pub fn build(
     let arc_edges: FxHashSet<[VertexId; 2]> =
         cells.arcs.ids().flat_map(|a| vertices.edges_along(cells, a)).map(|(ends, _)| ends).collect();
     let patchwork = make_simplicial(IdVec::from_vec(faces), &charts, &arc_edges, vertices.points.len());
-    let first = join(mesh, topology, network, cells, vertices, charts, patchwork)?;
+    let first = join(mesh, network, cells, vertices, charts, patchwork)?;
     let mut editor = Editor::new(surface, first)?;
     improve(&mut editor, sizing, options);
     let mut base = editor.finish()?;
@@ -181,7 +181,6 @@ fn triangulate_patch(
 /// One mesh, region map and base map of all patches.
 fn join(
     mesh: &TriMesh,
-    topology: &Topology,
     network: &Network,
     cells: &Cells,
     vertices: Vertices,
@@ -206,11 +205,7 @@ fn join(
             sheet_of_face.push(sheet(p));
         }
     }
-    let mut chart_of_face = IdVec::<FaceId, ChartId>::filled(ChartId(0), topology.n_faces());
-    for (p, patch) in cells.patches.enumerate() {
-        patch.faces.iter().for_each(|&f| chart_of_face[f] = ChartId::new(p.index()));
-    }
-    let map = BaseMap::new(IdVec::from_vec(charts.into_vec()), chart_of_face, &flat);
+    let map = BaseMap::new(IdVec::from_vec(charts.into_vec()), &flat);
     let positions = points.iter().map(|p| p.position(mesh)).collect();
     let base = TriMesh::new(positions, faces).map_err(|e| BaseError::Internal(e.to_string()))?;
     let map_faces = (0..base.n_faces()).map(region_map::MapFaceId::new).collect();

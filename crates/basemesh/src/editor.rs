@@ -2,13 +2,15 @@
 //!
 //! Every edit keeps the mesh simplicial and its topology, or is refused and changes nothing.
 
+mod collapse;
+mod moves;
+
 use crate::BaseError;
-use crate::layout::{are_unfolded, full_star, half_star, quad};
-use crate::shape::signed_quality;
-use crate::star::{Face, Ring, edges_of, side_between};
+use crate::layout::quad;
+use crate::star::{Face, Ring, edges_of};
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, Sizing, Surface, flat_barycentric};
+use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, Sizing, Surface};
 
 /// An edge counts as at most this many times as long as its chord: half a circle over its diameter.
 const LONGEST_DETOUR: f64 = 2.5;
@@ -16,12 +18,16 @@ const LONGEST_DETOUR: f64 = 2.5;
 const NEAR_START: f64 = 0.1;
 /// Steps in which the length of an edge is measured on the surface.
 const LENGTH_STEPS: usize = 4;
-/// Moves shorter than this share of the mean edge of the star are not worth an edit.
-const LEAST_MOVE: f64 = 0.03;
-/// A move may make triangles worse as long as they stay better than this (AR).
-const GOOD_ENOUGH: f64 = 0.6;
+
+/// A face that goes, with its corners and their places in a flat layout.
+type OldFace = (FaceId, [VertexId; 3], [DVec2; 3]);
+/// A face that comes in the same layout.
+type NewFace = ([VertexId; 3], [DVec2; 3]);
+/// What [`Editor::replace`] takes.
+type Edit = (Vec<OldFace>, Vec<NewFace>);
 
 /// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
+#[derive(Clone)]
 pub(crate) struct Editor<'a> {
     surface: &'a Surface<'a>,
     faces: IdVec<FaceId, Option<Face>>,
@@ -117,6 +123,10 @@ impl<'a> Editor<'a> {
         let inner = (1..LENGTH_STEPS).map(along).chain([self.positions[b]]);
         let length = inner.fold((0.0, self.positions[a]), |(sum, last), p| (sum + last.distance(p), p)).0;
         length.min(LONGEST_DETOUR * self.positions[a].distance(self.positions[b]))
+    }
+    /// Length of an edge on the surface over that of its chord, at most [`LONGEST_DETOUR`].
+    pub(crate) fn detour(&self, a: VertexId, b: VertexId) -> f64 {
+        self.surface_length(a, b) / self.positions[a].distance(self.positions[b]).max(f64::MIN_POSITIVE)
     }
     /// What the sizing field says at a vertex.
     pub(crate) fn size(&self, sizing: &Sizing, v: VertexId) -> f64 {
@@ -258,159 +268,6 @@ impl<'a> Editor<'a> {
         Some(m)
     }
 
-    /// Takes `v` away and joins its neighbours to `u`, which must be one of them. A vertex on an arc only moves along the arc, a
-    /// corner never. False when the result were no simplicial mesh.
-    pub(crate) fn collapse(&mut self, v: VertexId, u: VertexId) -> bool {
-        let Some(ring) = self.ring(v) else { return false };
-        match self.attachment(v) {
-            Attachment::Corner(_) => false,
-            Attachment::Sheet(_) => ring.closed && self.collapse_inside(v, u, &ring),
-            Attachment::Arc { .. } => self.collapse_along(v, u, &ring),
-        }
-    }
-
-    fn collapse_inside(&mut self, v: VertexId, u: VertexId, ring: &Ring) -> bool {
-        let n = ring.vertices.len();
-        let Some(start) = ring.vertices.iter().position(|&w| w == u) else { return false };
-        // The neighbours but those beside u get an edge to u.
-        if n < 4 || (2..n - 1).any(|i| self.is_edge(u, ring.vertices[(start + i) % n])) {
-            return false;
-        }
-        let order = |i: usize| (start + i) % n;
-        let fan = |p: &[DVec2]| -> Vec<[DVec2; 3]> { (1..n - 1).map(|i| [p[order(0)], p[order(i)], p[order(i + 1)]]).collect() };
-        let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.positions[w]).collect();
-        let flat = full_star(self.positions[v], &positions, |p| are_unfolded(&fan(p)));
-        let old: Vec<_> = (0..n)
-            .map(|i| {
-                (ring.faces[i], [v, ring.vertices[i], ring.vertices[(i + 1) % n]], [DVec2::ZERO, flat[i], flat[(i + 1) % n]])
-            })
-            .collect();
-        let corners = (1..n - 1).map(|i| [u, ring.vertices[order(i)], ring.vertices[order(i + 1)]]);
-        let new: Vec<_> = corners.zip(fan(&flat)).collect();
-        let done = self.replace(&old, &new);
-        self.n_vertices -= usize::from(done);
-        done
-    }
-
-    /// Collapses along an arc: both sides of it are laid out on their own, with the arc straight and by arc length.
-    fn collapse_along(&mut self, v: VertexId, u: VertexId, ring: &Ring) -> bool {
-        let along: Vec<VertexId> = ring.vertices.iter().copied().filter(|&w| self.span(v, w).is_some()).collect();
-        let w = match along[..] {
-            [a, b] if a == u => b,
-            [a, b] if b == u => a,
-            _ => return false,
-        };
-        let (Some(to_u), Some(to_w)) = (self.span(v, u), self.span(v, w)) else { return false };
-        if self.is_edge(u, w) {
-            return false;
-        }
-        let mut sides = Vec::new();
-        for (first, last) in [(u, w), (w, u)] {
-            let Some(side) = side_between(ring, first, last) else { continue };
-            let inner = &side.vertices[1..side.vertices.len() - 1];
-            // u gets an edge to all on this side but w and its own neighbour.
-            let skip = if first == u { 0 } else { inner.len().saturating_sub(1) };
-            if inner.is_empty() || inner.iter().enumerate().any(|(i, &x)| i != skip && self.is_edge(u, x)) {
-                return false;
-            }
-            sides.push((side, first == u));
-        }
-        if let [(a, _), (b, _)] = &sides[..]
-            && a.vertices[1..a.vertices.len() - 1].iter().any(|x| b.vertices[1..b.vertices.len() - 1].contains(x))
-        {
-            return false;
-        }
-        let (mut old, mut new) = (Vec::new(), Vec::new());
-        for (side, starts_at_u) in &sides {
-            let edit = self.side_edit(v, u, side, *starts_at_u, (to_u.to - to_u.from).abs(), (to_w.to - to_w.from).abs());
-            let Some((o, n)) = edit else { return false };
-            old.push(o);
-            new.push(n);
-        }
-        for (o, n) in old.iter().zip(&new) {
-            if !self.replace(o, n) {
-                debug_assert!(false, "a layout that was checked is refused");
-                return false;
-            }
-        }
-        self.region.spans.remove(&[v.min(u), v.max(u)]);
-        self.region.spans.remove(&[v.min(w), v.max(w)]);
-        self.region.insert_span(u, w, ArcSpan { arc: to_u.arc, from: to_u.to, to: to_u.from + to_w.to - to_w.from });
-        self.n_vertices -= 1;
-        true
-    }
-
-    /// The edit of one side of an arc when `v` goes to `u`.
-    #[allow(clippy::type_complexity, reason = "the two lists that `replace` takes")]
-    fn side_edit(
-        &self,
-        v: VertexId,
-        u: VertexId,
-        side: &Ring,
-        starts_at_u: bool,
-        to_u: f64,
-        to_w: f64,
-    ) -> Option<(Vec<(FaceId, [VertexId; 3], [DVec2; 3])>, Vec<([VertexId; 3], [DVec2; 3])>)> {
-        let n = side.vertices.len();
-        let positions: Vec<DVec3> = side.vertices.iter().map(|&w| self.positions[w]).collect();
-        let apex = if starts_at_u { 0 } else { n - 1 };
-        let gaps = if starts_at_u { 1..n - 1 } else { 0..n - 2 };
-        let fan = |p: &[DVec2]| -> Vec<[DVec2; 3]> { gaps.clone().map(|i| [p[apex], p[i], p[i + 1]]).collect() };
-        let spokes = |p: &[DVec2]| -> Vec<[DVec2; 3]> { (0..n - 1).map(|i| [DVec2::ZERO, p[i], p[i + 1]]).collect() };
-        let (ahead, behind) = if starts_at_u { (to_u, to_w) } else { (to_w, to_u) };
-        let flat = half_star(self.positions[v], &positions, ahead, behind, |p| are_unfolded(&fan(p)) && are_unfolded(&spokes(p)));
-        let faces = side.faces.iter().zip(side.vertices.windows(2)).zip(spokes(&flat));
-        let old: Vec<_> = faces.map(|((&f, w), p)| (f, [v, w[0], w[1]], p)).collect();
-        let new: Vec<_> = gaps.clone().map(|i| [u, side.vertices[i], side.vertices[i + 1]]).zip(fan(&flat)).collect();
-        let valid = |t: &[DVec2; 3]| mesh_core::exact::orient2d(t[0], t[1], t[2]) > 0.0;
-        (old.iter().all(|o| valid(&o.2)) && new.iter().all(|n| valid(&n.1))).then_some((old, new))
-    }
-
-    /// Moves an inner vertex of a sheet to the middle of its one-ring in a flat layout, unless that makes the worst of its triangles
-    /// worse. False when it stays.
-    pub(crate) fn relax_vertex(&mut self, v: VertexId) -> bool {
-        let Some(ring) = self.ring(v).filter(|r| r.closed) else { return false };
-        if !matches!(self.attachment(v), Attachment::Sheet(_)) {
-            return false;
-        }
-        let n = ring.vertices.len();
-        let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.positions[w]).collect();
-        let star = |p: &[DVec2], at: DVec2| -> Vec<[DVec2; 3]> { (0..n).map(|i| [at, p[i], p[(i + 1) % n]]).collect() };
-        let flat = full_star(self.positions[v], &positions, |p| are_unfolded(&star(p, DVec2::ZERO)));
-        let centroid = flat.iter().sum::<DVec2>() / n as f64;
-        let (old_star, new_star) = (star(&flat, DVec2::ZERO), star(&flat, centroid));
-        if !are_unfolded(&new_star) || centroid.length() < LEAST_MOVE {
-            return false;
-        }
-        let Some(point) = self.point_in_star(&ring, &old_star, centroid, v) else { return false };
-        let to = point.position(self.surface.mesh);
-        let worst = |at: DVec3| {
-            let quality = |f: Face| signed_quality(f.vertices.map(|w| if w == v { at } else { self.positions[w] }), f.normal);
-            self.faces_at(v).map(quality).fold(f64::INFINITY, f64::min)
-        };
-        if worst(to) < worst(self.positions[v]).min(GOOD_ENOUGH) {
-            return false;
-        }
-        let corners = |i: usize| [v, ring.vertices[i], ring.vertices[(i + 1) % n]];
-        let old: Vec<_> = (0..n).map(|i| (ring.faces[i], corners(i), old_star[i])).collect();
-        let new: Vec<_> = (0..n).map(|i| (corners(i), new_star[i])).collect();
-        let moved = self.replace(&old, &new);
-        if moved {
-            (self.region.points[v], self.positions[v]) = (point, to);
-        }
-        moved
-    }
-
-    /// The surface point at a place in the layout of the star of `v`.
-    fn point_in_star(&self, ring: &Ring, star: &[[DVec2; 3]], at: DVec2, v: VertexId) -> Option<SurfacePoint> {
-        let weights = |t: &[DVec2; 3]| flat_barycentric(t, at);
-        let (i, w) = star.iter().map(weights).enumerate().max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element()))?;
-        let face = self.face(ring.faces[i])?;
-        let c = face.corner(v)?;
-        // `w` begins at v, the face's own corners elsewhere.
-        Some(self.map.locate(face.map, DVec3::from_array([0, 1, 2].map(|k| w[(k + 3 - c) % 3]))))
-    }
-
     fn add_vertex(&mut self, attachment: Attachment, point: SurfacePoint, on_border: bool) -> VertexId {
         self.on_border.push(on_border);
         self.region.attachments.push(attachment);
@@ -420,7 +277,7 @@ impl<'a> Editor<'a> {
     }
 
     /// Replaces faces by others over the same flat polygon, in the mesh and in the map.
-    fn replace(&mut self, old: &[(FaceId, [VertexId; 3], [DVec2; 3])], new: &[([VertexId; 3], [DVec2; 3])]) -> bool {
+    fn replace(&mut self, old: &[OldFace], new: &[NewFace]) -> bool {
         let Some(sheet) = old.first().and_then(|o| self.face(o.0)).map(|f| f.sheet) else { return false };
         // The map knows a face by its own order of corners.
         let turned: Option<Vec<(MapFaceId, [DVec2; 3])>> = old

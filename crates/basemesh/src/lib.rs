@@ -6,7 +6,7 @@
 //! use glam::DVec3;
 //! use mesh_core::{FaceId, Topology};
 //! use region_map::{Cells, SheetNormals, Sizing, Surface};
-//! use segment_cvt::{CvtOptions, SizingField, sample};
+//! use segment_cvt::{CvtOptions, sample};
 //!
 //! let mesh = fixtures::cube(6);
 //! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
@@ -14,7 +14,7 @@
 //! let (segmentation, _) = segment_vsa::segment(&mesh, &topology, &network, &Default::default())?;
 //! let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
 //! let wanted = CvtOptions { base_vertices: 50, ..Default::default() };
-//! let sites = sample(&mesh, &cells, &SizingField::uniform(), &wanted)?.sites;
+//! let sites = sample(&mesh, &cells, &Sizing::uniform(&mesh), &wanted)?.sites;
 //!
 //! let normals = SheetNormals::new(&mesh, &topology, &network);
 //! let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
@@ -51,3 +51,5 @@ mod tutte;
 
 pub use build::{BaseOptions, build};
 pub use error::BaseError;
+pub use improve::{Mended, mend};
+pub use tutte::lay_flat;

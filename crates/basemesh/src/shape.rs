@@ -25,6 +25,12 @@ pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
     mesh_core::aspect_ratio(t).copysign(mesh_core::vector_area(t).dot(normal))
 }
 
+/// True for a face that faces against the surface under its middle.
+pub(crate) fn is_folded(editor: &Editor<'_>, corners: [VertexId; 3]) -> bool {
+    let mut faces = editor.faces_at(corners[0]).filter(|f| f.from(corners[0]) == corners);
+    faces.any(|f| signed_quality(editor.triangle(&f), f.normal) <= 0.0)
+}
+
 /// What the cost falls by when the edge is flipped; negative infinity where it can't be.
 pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     let [Some((f, c)), Some((g, d))] = editor.faces_beside(a, b) else { return f64::NEG_INFINITY };
@@ -64,7 +70,7 @@ pub(crate) fn is_ear(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
 }
 
 /// `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, 1 for an equilateral triangle that faces along `normal`; the area `A` is that seen along it.
-fn inverse_mean_ratio(t: [DVec3; 3], normal: DVec3) -> f64 {
+pub(crate) fn inverse_mean_ratio(t: [DVec3; 3], normal: DVec3) -> f64 {
     let [a, b, c] = t;
     let edges = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
     let ratio = edges / (4.0 * 3f64.sqrt() * mesh_core::vector_area(t).dot(normal));

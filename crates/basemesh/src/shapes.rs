@@ -3,7 +3,7 @@
 use crate::{BaseOptions, build};
 use mesh_core::{FaceId, Id, IdVec, Topology, TriMesh};
 use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation, SheetNormals, Sizing, Surface};
-use segment_cvt::{CvtOptions, SizingField, sample};
+use segment_cvt::{CvtOptions, sample};
 
 /// A mesh with its network and patches.
 pub(crate) struct Shape {
@@ -68,11 +68,16 @@ impl Shape {
 
     /// A base mesh of about `n` vertices, with or without improvement.
     pub(crate) fn base(&self, n: usize, rounds: usize) -> BaseMesh {
-        let sampled =
-            sample(&self.mesh, &self.cells, &SizingField::uniform(), &CvtOptions { base_vertices: n, ..Default::default() })
-                .unwrap();
+        self.base_from(n, n, rounds)
+    }
+
+    /// A base mesh of about `n` vertices that starts from about `n_sites` sites.
+    pub(crate) fn base_from(&self, n_sites: usize, n: usize, rounds: usize) -> BaseMesh {
+        let sizing = Sizing::uniform(&self.mesh);
+        let wanted = CvtOptions { base_vertices: n_sites, ..Default::default() };
+        let sampled = sample(&self.mesh, &self.cells, &sizing, &wanted).unwrap();
         let options = BaseOptions { base_vertices: n, rounds, ..Default::default() };
-        build(&self.surface(), &self.cells, &sampled.sites, &Sizing::uniform(&self.mesh), &options).unwrap()
+        build(&self.surface(), &self.cells, &sampled.sites, &sizing, &options).unwrap()
     }
 
     /// Points spread over the surface.

@@ -22,6 +22,41 @@ fn improvement_keeps_all_promises() {
 }
 
 #[test]
+fn many_sites_coarsen_to_the_wanted_number_without_a_fold() {
+    for (shape, n) in [(Shape::cube(), 40), (Shape::cylinder(), 40), (Shape::sphere(), 30), (Shape::torus(), 40)] {
+        let base = shape.base_from(8 * n, n, 10);
+        shape.check(&base);
+        assert_eq!(base.mesh.n_vertices(), n);
+        let surface = shape.surface();
+        let editor = Editor::new(&surface, base).unwrap();
+        assert!(editor.faces().into_iter().all(|f| !crate::shape::is_folded(&editor, f)));
+    }
+}
+
+#[test]
+fn sliding_evens_out_a_rim() {
+    let shape = Shape::cylinder();
+    let surface = shape.surface();
+    let mut editor = Editor::new(&surface, shape.base(60, 0)).unwrap();
+    let rim = |editor: &Editor<'_>| -> Vec<f64> {
+        editor.edges().into_iter().filter_map(|[a, b]| editor.span(a, b)).map(|s| (s.to - s.from).abs()).collect()
+    };
+    // Halving one edge of the rim twice leaves gaps of a quarter beside whole ones.
+    let [a, b] = editor.edges().into_iter().find(|&[a, b]| editor.span(a, b).is_some()).unwrap();
+    let m = editor.split(a, b).unwrap();
+    editor.split(a, m).unwrap();
+    let spread = |gaps: &[f64]| gaps.iter().fold(0.0f64, |m, g| m.max(*g)) / gaps.iter().fold(f64::INFINITY, |m, g| m.min(*g));
+    let before = rim(&editor);
+    for _ in 0..10 {
+        editor.vertices().into_iter().for_each(|v| _ = editor.slide_vertex(v));
+    }
+    let after = rim(&editor);
+    assert!(spread(&before) > 3.5 && spread(&after) < 2.5, "{} {}", spread(&before), spread(&after));
+    assert!((before.iter().sum::<f64>() - after.iter().sum::<f64>()).abs() < 1e-9);
+    shape.check(&editor.finish().unwrap());
+}
+
+#[test]
 fn a_box_of_twelve_triangles_needs_eight_vertices() {
     let shape = Shape::box_of_twelve();
     let base = shape.base(4, 0);
@@ -36,12 +71,13 @@ fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usiz
     for &(edge, what) in choices {
         let edges = editor.edges();
         let [a, b] = edges[edge as usize % edges.len()];
-        done += usize::from(match what % 6 {
+        done += usize::from(match what % 7 {
             0 => editor.flip(a, b),
             1 => editor.split(a, b).is_some(),
             2 => editor.collapse(a, b),
             3 => editor.collapse(b, a),
             4 => editor.faces_beside(a, b)[0].is_some_and(|(f, _)| editor.split_face(f.vertices).is_some()),
+            5 => editor.slide_vertex(a),
             _ => editor.relax_vertex(a),
         });
         assert_eq!(editor.n_vertices(), editor.vertices().len());

@@ -4,7 +4,7 @@
 //! positive weights, a convex border and no dividing edge the map is injective.
 
 use glam::{DVec2, DVec3};
-use region_map::ChartFace;
+use region_map::{Chart, ChartFace};
 use std::collections::BTreeMap;
 
 /// How the neighbours are weighed.
@@ -22,6 +22,13 @@ const LEAST_COTANGENT: f64 = 0.05;
 const GREATEST_COTANGENT: f64 = 20.0;
 /// Relative residual that the iteration goes down to.
 const RESIDUAL: f64 = 1e-14;
+
+/// Lays pieces flat, with the vertices that `fixed` gives a place (the border, on a strictly convex polygon) held there; `None` where
+/// rounding folds the map with all weights. No inner edge may join two fixed vertices.
+pub fn lay_flat(positions: &[DVec3], pieces: Vec<ChartFace>, fixed: &[Option<DVec2>]) -> Option<Chart> {
+    let chart = |weights| Chart::new(solve(positions, &pieces, fixed, weights), pieces.clone()).ok();
+    [Weights::Cotangent, Weights::Uniform].into_iter().find_map(chart)
+}
 
 /// Positions in the plane of all vertices, with those that `fixed` gives a position to held there.
 pub(crate) fn solve(positions: &[DVec3], pieces: &[ChartFace], fixed: &[Option<DVec2>], weights: Weights) -> Vec<DVec2> {

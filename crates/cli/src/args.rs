@@ -15,6 +15,10 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     /// Remesh INPUT and write the certified result to OUTPUT
     Remesh(RemeshArgs),
+    /// Make the base mesh of INPUT, before any subdivision, and write it to BASE
+    Base(BaseArgs),
+    /// Draw what every stage up to the base mesh makes of INPUT
+    Stages(StagesArgs),
     /// Say what a file holds: counts, topology, defects, features, quality
     Inspect(InspectArgs),
     /// Measure how well B stands for A: distance, creases, quality, topology
@@ -25,20 +29,60 @@ pub(crate) enum Command {
 
 #[derive(clap::Args)]
 pub(crate) struct RemeshArgs {
-    /// The mesh to remesh: obj, ply, stl, off, gltf or glb
-    pub(crate) input: PathBuf,
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
     /// Where the result goes; the extension says in which format
     #[arg(short, long)]
     pub(crate) output: PathBuf,
-    /// Wanted number of base vertices [default: 1.6 % of the input's, between 100 and 2000]
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
-    pub(crate) base_vertices: Option<u32>,
     /// How often every base triangle is split in four
     #[arg(long, value_name = "L", default_value_t = 3, value_parser = value_parser!(u32).range(0..=8))]
     pub(crate) levels: u32,
+    /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
+    #[arg(long)]
+    pub(crate) no_fit: bool,
+    /// A base mesh of your own to subdivide, in any format: a manifold of the input's topology, near its surface
+    #[arg(long, value_name = "FILE", conflicts_with = "base_vertices")]
+    pub(crate) base: Option<PathBuf>,
+    /// Leave a picture (PNG) and a coloured mesh (PLY) of every stage in this folder
+    #[arg(long, value_name = "DIR")]
+    pub(crate) stages: Option<PathBuf>,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct BaseArgs {
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+    /// Where the base mesh goes; the extension says in which format
+    #[arg(short, long, value_name = "BASE")]
+    pub(crate) output: PathBuf,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct StagesArgs {
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+    /// The folder for a picture (PNG) and a coloured mesh (PLY) of every stage, and the charts (SVG)
+    #[arg(long)]
+    pub(crate) dir: PathBuf,
+}
+
+/// What every command takes that makes a base mesh.
+#[derive(clap::Args)]
+pub(crate) struct SourceArgs {
+    /// The mesh to remesh: obj, ply, stl, off, gltf or glb
+    pub(crate) input: PathBuf,
+    /// Wanted number of base vertices [default: 1.6 % of the input's, between 100 and 2000]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
+    pub(crate) base_vertices: Option<u32>,
     /// An edge with at least this angle between its faces, in degrees, is a crease [default: 40]
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     pub(crate) crease_angle: Option<f64>,
+    /// An edge with at least this angle goes on from the loose end of a crease [default: 25, at most the crease angle]
+    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    pub(crate) weak_angle: Option<f64>,
+    /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
+    #[arg(long, value_name = "FILE")]
+    pub(crate) marked_edges: Option<PathBuf>,
     /// Seed of all that is chosen at random
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub(crate) seed: u64,
@@ -48,9 +92,6 @@ pub(crate) struct RemeshArgs {
     /// Print the report as one JSON object
     #[arg(long)]
     pub(crate) json: bool,
-    /// Leave a picture (PNG) and a coloured mesh (PLY) of every stage in this folder
-    #[arg(long, value_name = "DIR")]
-    pub(crate) stages: Option<PathBuf>,
 }
 
 #[derive(clap::Args)]

@@ -4,6 +4,7 @@
 //! error, 2 wrong usage.
 
 mod args;
+mod base;
 mod check;
 mod compare;
 mod figures;
@@ -35,6 +36,8 @@ fn main() -> ExitCode {
 fn run(command: Command) -> anyhow::Result<()> {
     match command {
         Command::Remesh(args) => remesh::run(&plan::RemeshPlan::new(args)?),
+        Command::Base(args) => base::run(&plan::BasePlan::base(args)?),
+        Command::Stages(args) => base::run(&plan::BasePlan::stages(args)?),
         Command::Inspect(args) => inspect::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),

@@ -1,6 +1,7 @@
 //! What the user typed, checked and made ready, before any long work.
 
-use crate::args::RemeshArgs;
+use crate::args::{BaseArgs, RemeshArgs, SourceArgs, StagesArgs};
+use crate::load;
 use anyhow::{Context as _, bail};
 use mesh_io::Format;
 use semireg::{MAX_TRIANGLES, Options};
@@ -11,6 +12,17 @@ use std::path::{Path, PathBuf};
 pub(crate) struct RemeshPlan {
     pub(crate) input: PathBuf,
     pub(crate) output: PathBuf,
+    /// A base mesh of the user's.
+    pub(crate) base: Option<PathBuf>,
+    pub(crate) options: Options,
+    pub(crate) json: bool,
+    pub(crate) stages: Option<PathBuf>,
+}
+
+/// A checked `semireg base` or `semireg stages`.
+pub(crate) struct BasePlan {
+    pub(crate) input: PathBuf,
+    pub(crate) output: Option<PathBuf>,
     pub(crate) options: Options,
     pub(crate) json: bool,
     pub(crate) stages: Option<PathBuf>,
@@ -19,23 +31,58 @@ pub(crate) struct RemeshPlan {
 impl RemeshPlan {
     /// Checks that the result can be written, sets up the threads and takes over the options.
     pub(crate) fn new(args: RemeshArgs) -> anyhow::Result<Self> {
-        check_size(args.base_vertices, args.levels)?;
+        check_size(args.source.base_vertices, args.levels)?;
         // First, as the result may go into the same folder.
-        if let Some(folder) = &args.stages {
-            fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {} (--stages)", folder.display()))?;
-        }
+        args.stages.as_deref().map(|folder| make_folder(folder, "--stages")).transpose()?;
         check_output(&args.output)?;
-        if let Some(n) = args.threads {
-            rayon::ThreadPoolBuilder::new().num_threads(n.into()).build_global().context("cannot start the threads")?;
-        }
-        let mut options = Options { levels: args.levels, seed: args.seed, ..Options::default() };
-        options.base_vertices = args.base_vertices.map(|n| n as usize);
-        if let Some(angle) = args.crease_angle {
-            options.features.strong_angle = angle;
-            options.features.weak_angle = options.features.weak_angle.min(angle);
-        }
-        Ok(Self { input: args.input, output: args.output, options, json: args.json, stages: args.stages })
+        start_threads(&args.source)?;
+        let mut options = Options { levels: args.levels, ..source_options(&args.source)? };
+        options.fit = options.fit.filter(|_| !args.no_fit);
+        let RemeshArgs { source, output, base, stages, .. } = args;
+        Ok(Self { input: source.input, output, base, options, json: source.json, stages })
     }
+}
+
+impl BasePlan {
+    /// Checks that the base mesh can be written, sets up the threads and takes over the options.
+    pub(crate) fn base(args: BaseArgs) -> anyhow::Result<Self> {
+        check_output(&args.output)?;
+        start_threads(&args.source)?;
+        let options = source_options(&args.source)?;
+        Ok(Self { input: args.source.input, output: Some(args.output), options, json: args.source.json, stages: None })
+    }
+
+    /// Makes the folder, sets up the threads and takes over the options.
+    pub(crate) fn stages(args: StagesArgs) -> anyhow::Result<Self> {
+        make_folder(&args.dir, "--dir")?;
+        start_threads(&args.source)?;
+        let options = source_options(&args.source)?;
+        Ok(Self { input: args.source.input, output: None, options, json: args.source.json, stages: Some(args.dir) })
+    }
+}
+
+fn make_folder(folder: &Path, option: &str) -> anyhow::Result<()> {
+    fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {} ({option})", folder.display()))
+}
+
+fn start_threads(args: &SourceArgs) -> anyhow::Result<()> {
+    let Some(n) = args.threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new().num_threads(n.into()).build_global().context("cannot start the threads")
+}
+
+/// The options that all commands share.
+fn source_options(args: &SourceArgs) -> anyhow::Result<Options> {
+    let mut options = Options { seed: args.seed, ..Options::default() };
+    options.base_vertices = args.base_vertices.map(|n| n as usize);
+    let features = &mut options.features;
+    features.strong_angle = args.crease_angle.unwrap_or(features.strong_angle);
+    features.weak_angle = args.weak_angle.unwrap_or(features.weak_angle.min(features.strong_angle));
+    if features.weak_angle > features.strong_angle {
+        let (weak, strong) = (features.weak_angle, features.strong_angle);
+        bail!("--weak-angle {weak} is above the crease angle of {strong} degrees; lower it or raise --crease-angle");
+    }
+    options.marked_edges = args.marked_edges.as_deref().map(load::lines).transpose()?.unwrap_or_default();
+    Ok(options)
 }
 
 /// A closed surface has about two triangles a vertex.

@@ -12,7 +12,12 @@ pub(crate) fn run(plan: &RemeshPlan) -> anyhow::Result<()> {
     let start = Instant::now();
     let document = mesh_io::read(&plan.input)?;
     let read_seconds = start.elapsed().as_secs_f64();
-    let remeshed = semireg::remesh(&document.soup, &plan.options).with_context(|| plan.input.display().to_string())?;
+    let base = plan.base.as_deref().map(mesh_io::read).transpose()?;
+    let remeshed = match &base {
+        Some(base) => semireg::remesh_with_base(&document.soup, &base.soup, &plan.options),
+        None => semireg::remesh(&document.soup, &plan.options),
+    };
+    let remeshed = remeshed.with_context(|| plan.input.display().to_string())?;
     // Pictures first: when they fail, there is no result beside the error.
     if let Some(folder) = &plan.stages {
         stages::write(folder, &remeshed)?;

@@ -4,7 +4,8 @@ use crate::figures::Figures;
 use crate::plan::RemeshPlan;
 use crate::print::Table;
 use mesh_core::CleanReport;
-use semireg::Remeshed;
+use region_map::BaseCounts;
+use semireg::{FitReport, Remeshed};
 use serde::{Serialize, Serializer};
 
 /// Everything worth telling. Field names are the contract of `--json`.
@@ -22,6 +23,7 @@ pub(crate) struct Report {
     levels: Vec<[usize; 2]>,
     cells: Cells,
     crease_length: CreaseLength,
+    fit: Option<Fit>,
     #[serde(flatten)]
     figures: Figures,
     #[serde(serialize_with = "as_map")]
@@ -31,13 +33,16 @@ pub(crate) struct Report {
 /// What was asked for; null where it was left to us.
 #[derive(Serialize)]
 struct Parameters {
+    base: Option<String>,
     base_vertices: Option<usize>,
     levels: u32,
     crease_angle: f64,
+    weak_angle: f64,
+    marked_edges: usize,
 }
 
 #[derive(Serialize)]
-struct BaseVertices {
+pub(crate) struct BaseVertices {
     asked: usize,
     needed: usize,
     made: usize,
@@ -46,22 +51,91 @@ struct BaseVertices {
 }
 
 #[derive(Serialize)]
-struct Cells {
+pub(crate) struct Cells {
     patches: usize,
     corners: usize,
     arcs: usize,
 }
 
+/// Offsets in parts of the input's diagonal.
+#[derive(Serialize)]
+struct Fit {
+    used: bool,
+    mean_offset: f64,
+    max_offset: f64,
+}
+
+impl Fit {
+    fn new(report: FitReport, diagonal: f64) -> Self {
+        let share = |length: f64| if diagonal > 0.0 { length / diagonal } else { 0.0 };
+        Self { used: report.used, mean_offset: share(report.mean_offset), max_offset: share(report.max_offset) }
+    }
+
+    fn row(&self, table: &mut Table) {
+        let Self { used, mean_offset, max_offset } = self;
+        let offsets = || format!("offsets mean {mean_offset:.2e}, greatest {max_offset:.2e} of the diagonal");
+        table.row("fit", if *used { offsets() } else { "left out: it did not pay".to_owned() });
+    }
+}
+
 /// In the units of the input.
 #[derive(Serialize)]
-struct CreaseLength {
+pub(crate) struct CreaseLength {
     kept: f64,
     /// Left out of the base mesh as too small for it.
     minor: f64,
+    /// What is kept of both; null without creases.
+    share: Option<f64>,
+}
+
+impl From<&BaseCounts> for BaseVertices {
+    fn from(counts: &BaseCounts) -> Self {
+        let BaseCounts { asked, needed, made, reason } = counts.clone();
+        Self { asked, needed, made, reason }
+    }
+}
+
+impl From<[usize; 3]> for Cells {
+    fn from([patches, corners, arcs]: [usize; 3]) -> Self {
+        Self { patches, corners, arcs }
+    }
+}
+
+impl From<[f64; 2]> for CreaseLength {
+    fn from(lengths: [f64; 2]) -> Self {
+        // An empty sum is -0.
+        let [kept, minor] = lengths.map(|l| l + 0.0);
+        let whole = kept + minor;
+        Self { kept, minor, share: (whole > 0.0).then(|| kept / whole) }
+    }
+}
+
+impl BaseVertices {
+    /// Appends its line.
+    pub(crate) fn row(&self, table: &mut Table) {
+        let Self { asked, needed, made, reason } = self;
+        table.row("base vertices", format!("{made} (asked {asked}, needed {needed}) {reason}").trim_end());
+    }
+}
+
+impl Cells {
+    /// Appends its line.
+    pub(crate) fn row(&self, table: &mut Table) {
+        let Self { patches, corners, arcs } = self;
+        table.row("network", format!("{corners} corners, {arcs} arcs, {patches} patches"));
+    }
+}
+
+impl CreaseLength {
+    /// Appends its line where there are creases.
+    pub(crate) fn row(&self, table: &mut Table) {
+        let Self { kept, minor, share } = self;
+        table.row_if("crease length", share.map(|s| format!("{:.2} % kept: {kept:.6}, left out as minor {minor:.6}", 100.0 * s)));
+    }
 }
 
 /// Pairs as an object that keeps their order.
-fn as_map<T: Serialize, S: Serializer>(pairs: &[(&'static str, T)], serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn as_map<T: Serialize, S: Serializer>(pairs: &[(&'static str, T)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(pairs.iter().map(|(k, v)| (k, v)))
 }
 
@@ -70,8 +144,6 @@ impl Report {
     pub(crate) fn new(plan: &RemeshPlan, remeshed: &Remeshed) -> Self {
         let report = &remeshed.report;
         let certificate = &report.certificate;
-        let [patches, corners, arcs] = report.cells;
-        let [kept, minor] = report.crease_length;
         let mut warnings = report.warnings.clone();
         warnings.extend(certificate.warnings().iter().map(ToString::to_string));
         Self {
@@ -79,22 +151,21 @@ impl Report {
             input: plan.input.display().to_string(),
             output: plan.output.display().to_string(),
             parameters: Parameters {
+                base: plan.base.as_ref().map(|path| path.display().to_string()),
                 base_vertices: plan.options.base_vertices,
                 levels: plan.options.levels,
                 crease_angle: plan.options.features.strong_angle,
+                weak_angle: plan.options.features.weak_angle,
+                marked_edges: plan.options.marked_edges.len(),
             },
             seed: plan.options.seed,
             repairs: repairs(&report.clean),
             warnings,
-            base_vertices: BaseVertices {
-                asked: report.base.asked,
-                needed: report.base.needed,
-                made: report.base.made,
-                reason: report.base.reason.clone(),
-            },
+            base_vertices: (&report.base).into(),
             levels: certificate.hierarchy.iter().flat_map(|h| &h.levels).map(|l| [l.vertices, l.faces]).collect(),
-            cells: Cells { patches, corners, arcs },
-            crease_length: CreaseLength { kept, minor },
+            cells: report.cells.into(),
+            crease_length: report.crease_length.into(),
+            fit: report.fit.map(|fit| Fit::new(fit, remeshed.stages.base.cleaned.mesh.diagonal())),
             figures: Figures::new(&certificate.measures, |t| t.indexed),
             seconds: report.seconds.0.clone(),
         }
@@ -109,18 +180,30 @@ impl Report {
     pub(crate) fn table(&self) -> Table {
         let mut table = Table::default();
         table.row("certified", &self.output);
-        let BaseVertices { asked, needed, made, reason } = &self.base_vertices;
-        table.row("base vertices", format!("{made} (asked {asked}, needed {needed}) {reason}").trim_end());
-        self.figures.rows(&mut table);
-        let list = |pairs: Vec<String>| (!pairs.is_empty()).then(|| pairs.join(", "));
-        let repaired = self.repairs.iter().filter(|(_, n)| *n > 0).map(|(what, n)| format!("{} {n}", what.replace('_', " ")));
-        table.row_if("repairs", list(repaired.collect()));
-        for warning in &self.warnings {
-            table.row("warning", warning);
+        self.base_vertices.row(&mut table);
+        if let Some(fit) = &self.fit {
+            fit.row(&mut table);
         }
-        table.row_if("seconds", list(self.seconds.iter().map(|(what, s)| format!("{what} {s:.2}")).collect()));
+        self.figures.rows(&mut table);
+        course_rows(&mut table, &self.repairs, &self.warnings, &self.seconds);
         table
     }
+}
+
+/// Appends what happened on the way.
+pub(crate) fn course_rows(
+    table: &mut Table,
+    repairs: &[(&'static str, usize)],
+    warnings: &[String],
+    seconds: &[(&'static str, f64)],
+) {
+    let list = |pairs: Vec<String>| (!pairs.is_empty()).then(|| pairs.join(", "));
+    let repaired = repairs.iter().filter(|(_, n)| *n > 0).map(|(what, n)| format!("{} {n}", what.replace('_', " ")));
+    table.row_if("repairs", list(repaired.collect()));
+    for warning in warnings {
+        table.row("warning", warning);
+    }
+    table.row_if("seconds", list(seconds.iter().map(|(what, s)| format!("{what} {s:.2}")).collect()));
 }
 
 /// How often each repair was made. The names are those of the JSON.

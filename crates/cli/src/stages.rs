@@ -1,9 +1,11 @@
 //! A picture (PNG) and a coloured mesh (PLY) of every stage.
 
 use anyhow::Context as _;
+use glam::DVec2;
 use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, Topology, TriMesh, VertexId, aspect_ratio};
-use region_map::{ArcKind, Network};
+use region_map::{ArcKind, BaseMap, Network};
 use semireg::{BaseStages, Remeshed};
+use std::fs;
 use std::path::Path;
 use view::{Line, Point, Rgb, Scene, ViewOptions, distance_color, palette, quality_color, render, valence_color};
 
@@ -20,25 +22,38 @@ const THIN: f64 = 1.2;
 const DOT: f64 = 7.0;
 /// Triangle edges are drawn on meshes of fewer faces; of more they would cover everything.
 const MAX_FACES_WITH_EDGES: usize = 30_000;
+/// How much of the side of its cell a chart fills.
+const CHART_SHARE: f64 = 0.95;
 
 /// Writes `01-input.png`, `01-input.ply` and so on into a folder that exists.
 pub(crate) fn write(folder: &Path, remeshed: &Remeshed) -> anyhow::Result<()> {
-    let (stages, base) = (&remeshed.stages, &remeshed.stages.base);
+    let stages = &remeshed.stages;
+    write_base(folder, &stages.base)?;
+    let pictures = [
+        ("06-subdivided", Scene::new(&stages.subdivided)),
+        ("07-projected", by_quality(&stages.projected)),
+        ("08-result", result(remeshed)),
+        ("09-distance", distance(remeshed)),
+    ];
+    save_all(folder, &pictures)
+}
+
+/// Writes `01-input.png` to `05-base.ply`, what the stages up to the base mesh made, and all charts as `05-charts.svg`.
+pub(crate) fn write_base(folder: &Path, base: &BaseStages) -> anyhow::Result<()> {
     let pictures = [
         ("01-input", input(base)),
         ("02-features", features(base)),
         ("03-patches", patches(base)),
         ("04-sites", sites(base)),
         ("05-base", base_mesh(base)),
-        ("06-subdivided", Scene::new(&stages.subdivided)),
-        ("07-projected", by_quality(&stages.projected)),
-        ("08-result", result(remeshed)),
-        ("09-distance", distance(remeshed)),
     ];
-    for (name, scene) in pictures {
-        save(folder, name, &scene).with_context(|| format!("stage {name} (--stages)"))?;
-    }
-    Ok(())
+    save_all(folder, &pictures)?;
+    let svg = folder.join("05-charts.svg");
+    fs::write(&svg, charts(&base.base.map).to_svg()).with_context(|| format!("cannot write {}", svg.display()))
+}
+
+fn save_all(folder: &Path, pictures: &[(&str, Scene)]) -> anyhow::Result<()> {
+    pictures.iter().try_for_each(|(name, scene)| save(folder, name, scene).with_context(|| format!("picture of stage {name}")))
 }
 
 fn save(folder: &Path, name: &str, scene: &Scene) -> anyhow::Result<()> {
@@ -47,7 +62,8 @@ fn save(folder: &Path, name: &str, scene: &Scene) -> anyhow::Result<()> {
     render(scene, &ViewOptions { edges, ..ViewOptions::default() }).write_png(path.with_extension("png"))?;
     let grey = || vec![[205; 3]; scene.mesh.n_faces()];
     let colors = scene.face_colors.as_ref().map_or_else(grey, |c| c.as_slice().to_vec());
-    Ok(mesh_io::write_colored_ply(&path.with_extension("ply"), scene.mesh, &colors)?)
+    let points: Vec<_> = scene.points.iter().map(|p| (p.at, p.color)).collect();
+    Ok(mesh_io::write_colored_ply(&path.with_extension("ply"), scene.mesh, &colors, &points)?)
 }
 
 /// The cleaned input with its sharp edges.
@@ -63,7 +79,7 @@ fn input(base: &BaseStages) -> Scene<'_> {
 
 /// Arcs by their kind, minor creases thin, corners as dots, sheets in colours.
 fn features(base: &BaseStages) -> Scene<'_> {
-    let (mesh, network) = (&base.cleaned.mesh, &base.network);
+    let (mesh, network) = (&base.working.mesh, &base.network);
     let colors = network.sheet_of_face.iter().map(|s| pale(palette(s.index()))).collect();
     let minor = network.minor.iter().flat_map(|chain| along(mesh, chain, ORANGE, THIN));
     let lines = minor.chain(arcs(mesh, network)).collect();
@@ -85,7 +101,7 @@ fn arc_color(kind: ArcKind) -> Rgb {
 
 /// Patches in colours, all their arcs.
 fn patches(base: &BaseStages) -> Scene<'_> {
-    let mesh = &base.cleaned.mesh;
+    let mesh = &base.working.mesh;
     let colors = base.segmentation.patch_of_face.iter().map(|p| palette(p.index())).collect();
     let smooth = base.cells.arcs.iter().filter(|arc| arc.on.is_none());
     let lines = smooth.flat_map(|arc| along(mesh, &arc.vertices, DARK, THIN)).chain(arcs(mesh, &base.network)).collect();
@@ -94,7 +110,7 @@ fn patches(base: &BaseStages) -> Scene<'_> {
 
 /// Sites at corners (dark), on arcs (red) and in patches (blue).
 fn sites(base: &BaseStages) -> Scene<'_> {
-    let (mesh, cells) = (&base.cleaned.mesh, &base.cells);
+    let (mesh, cells) = (&base.working.mesh, &base.cells);
     let mut scene = patches(base);
     scene.face_colors = scene.face_colors.map(|colors| colors.iter().map(|&c| pale(c)).collect());
     scene.points.extend(cells.corners.iter().map(|&v| dot(mesh, v, DARK)));
@@ -130,6 +146,25 @@ fn base_mesh(base: &BaseStages) -> Scene<'_> {
     Scene { mesh, face_colors: Some(colors), lines, points }
 }
 
+/// All charts in rows, the pieces in the colours of the patches, and the base triangles before any improvement.
+fn charts(map: &BaseMap) -> view::Chart {
+    let mut drawing = view::Chart::default();
+    let columns = (map.charts().len() as f64).sqrt().ceil().max(1.0) as usize;
+    for (id, chart) in map.charts().enumerate() {
+        let cell = DVec2::new((id.index() % columns) as f64, -((id.index() / columns) as f64));
+        let fold = |pick: fn(DVec2, DVec2) -> DVec2| chart.uv().iter().copied().reduce(pick).unwrap_or(DVec2::ZERO);
+        let (low, high) = (fold(DVec2::min), fold(DVec2::max));
+        let place = |p: DVec2| cell + CHART_SHARE * (p - low) / (high - low).max_element().max(f64::MIN_POSITIVE);
+        for piece in chart.faces() {
+            drawing.polygon(piece.vertices.map(|v| place(chart.uv()[v as usize])), pale(palette(id.index())));
+        }
+        for [a, b, c] in map.first_faces(id).map(|corners| corners.map(place)) {
+            drawing.line(a, b, DARK).line(b, c, DARK).line(c, a, DARK);
+        }
+    }
+    drawing
+}
+
 fn by_quality(mesh: &TriMesh) -> Scene<'_> {
     let colors = mesh.faces().ids().map(|f| quality_color(aspect_ratio(mesh.triangle(f)))).collect();
     Scene { face_colors: Some(colors), ..Scene::new(mesh) }
@@ -145,7 +180,7 @@ fn result(remeshed: &Remeshed) -> Scene<'_> {
         [corners[side], corners[(side + 1) % 3]]
     };
     scene.lines.extend(base_edges.into_iter().map(|side| line(mesh, ends(side), DARK, MEDIUM)));
-    let arcs = &remeshed.stages.base.network.arcs;
+    let arcs = &remeshed.stages.network.arcs;
     let spans = remeshed.stages.region.spans.iter();
     scene.lines.extend(spans.map(|(&ends, span)| line(mesh, ends, arc_color(arcs[span.arc].kind), THICK)));
     scene

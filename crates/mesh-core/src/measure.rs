@@ -36,6 +36,12 @@ pub fn angles(t: [DVec3; 3]) -> [f64; 3] {
     })
 }
 
+/// The edge length of a mesh of `n` vertices whose equilateral triangles cover this area (the paper's eq. 3): such a mesh has two
+/// triangles of area `sqrt(3)/4 h^2` for every vertex. 0 vertices count as 1.
+pub fn equilateral_edge_length(area: f64, n: usize) -> f64 {
+    (2.0 * area / (3f64.sqrt() * n.max(1) as f64)).sqrt()
+}
+
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -114,5 +120,15 @@ mod tests {
         assert!((aspect_ratio(right) - expected).abs() < 1e-15);
         assert_eq!(aspect_ratio([DVec3::X; 3]), 0.0);
         assert_eq!(normal([DVec3::ZERO, DVec3::X, 2.0 * DVec3::X]), DVec3::ZERO);
+    }
+
+    #[test]
+    fn equilateral_triangles_cover_the_area() {
+        for n in [1, 4, 200] {
+            let h = equilateral_edge_length(7.0, n);
+            let triangle = area([DVec3::ZERO, h * DVec3::X, h * DVec3::new(0.5, 0.75f64.sqrt(), 0.0)]);
+            assert!((2.0 * n as f64 * triangle - 7.0).abs() < 1e-12);
+        }
+        assert_eq!(equilateral_edge_length(7.0, 0), equilateral_edge_length(7.0, 1));
     }
 }

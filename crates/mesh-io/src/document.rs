@@ -20,6 +20,9 @@ pub struct Document {
     pub n_polygons_above_3: usize,
     /// Polygons with an index that is out of range, in increasing order. Their triangles are still in the soup.
     pub polygons_out_of_range: Vec<u32>,
+    /// Line segments (`l` of an obj, the element `edge` of a ply) as pairs of vertices, which may be out of range. No other format
+    /// has them.
+    pub lines: Vec<[u32; 2]>,
 }
 
 /// Collects a [`Document`].
@@ -47,6 +50,10 @@ impl Builder {
         }
         self.document.n_polygons += 1;
         self.document.n_polygons_above_3 += usize::from(corners.len() > 3);
+    }
+    /// Appends a chain of line segments.
+    pub(crate) fn polyline(&mut self, vertices: &[u32]) {
+        self.document.lines.extend(vertices.windows(2).map(|w| [w[0], w[1]]));
     }
     /// The document, with its bad polygons listed. Fails when there are too many elements for 32-bit indices.
     pub(crate) fn finish(mut self) -> Result<Document, Fault> {

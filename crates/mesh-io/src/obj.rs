@@ -14,7 +14,7 @@ use mesh_core::TriMesh;
 use std::fmt::Write;
 use tobj::LoadOptions;
 
-/// Reads an obj file: vertices and faces. All else (normals, texture coordinates, lines, points, curves, names) is left unread:
+/// Reads an obj file: vertices, faces and lines. All else (normals, texture coordinates, points, curves, names) is left unread:
 /// exporters write texts such as `-nan(ind)` for normals, which must not cost the mesh.
 pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
     let scan = Scan::of(&decode(bytes))?;
@@ -33,6 +33,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
             builder.polygon(&polygon.iter().map(|&c| saturating_index(c)).collect::<Vec<_>>());
         }
     }
+    scan.polylines.iter().for_each(|line| builder.polyline(line));
     builder.finish()
 }
 
@@ -46,6 +47,8 @@ struct Scan {
     corners: Vec<i64>,
     /// Where the corners of each polygon end.
     ends: Vec<usize>,
+    /// Vertices of the `l` lines, from 0; `u32::MAX` for what is no index.
+    polylines: Vec<Vec<u32>>,
 }
 
 impl Scan {
@@ -63,6 +66,7 @@ impl Scan {
             match words.next() {
                 Some("v") => scan.vertex(&words.collect::<Vec<_>>(), i + 1)?,
                 Some("f") => scan.face(words, i + 1)?,
+                Some("l") => scan.line(words, i + 1),
                 _ => {}
             }
         }
@@ -95,8 +99,7 @@ impl Scan {
         let start = self.corners.len();
         for word in words {
             let index = vertex_index(word, line)?;
-            // Negative indices count back from the last vertex so far. 0 is no index: it becomes -1, out of range.
-            self.corners.push(if index < 0 { index.saturating_add(self.n_vertices as i64) } else { index - 1 });
+            self.corners.push(self.counted_from_zero(index));
         }
         let n = self.corners.len() - start;
         if n < 3 {
@@ -104,6 +107,19 @@ impl Scan {
         }
         self.ends.push(self.corners.len());
         Ok(())
+    }
+
+    /// A chain of line segments. A word that is no index must not cost the mesh.
+    fn line<'a>(&mut self, words: impl Iterator<Item = &'a str>, line: usize) {
+        let index = |word| vertex_index(word, line).map_or(u32::MAX, |index| saturating_index(self.counted_from_zero(index)));
+        let polyline = words.map(index).collect();
+        self.polylines.push(polyline);
+    }
+
+    /// An index of the file counted from 0. Negative ones count back from the last vertex so far. 0 is no index: it becomes -1, out
+    /// of range.
+    fn counted_from_zero(&self, index: i64) -> i64 {
+        if index < 0 { index.saturating_add(self.n_vertices as i64) } else { index - 1 }
     }
 
     fn polygons(&self) -> impl Iterator<Item = &[i64]> {

@@ -13,7 +13,7 @@ use header::{Element, Encoding, Header, Kind};
 use mesh_core::TriMesh;
 use values::Values;
 
-/// Reads a ply file: positions from the element `vertex`, polygons from `face`, triangle strips from `tristrips`.
+/// Reads a ply file: positions from the element `vertex`, polygons from `face`, triangle strips from `tristrips`, lines from `edge`.
 /// Other elements and properties are skipped.
 pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
     let header = Header::parse(bytes)?;
@@ -31,6 +31,7 @@ fn elements(header: &Header, values: &mut Values) -> Result<Document, Fault> {
             "vertex" => vertices(element, values, &mut builder)?,
             "face" => faces(element, values, &mut builder)?,
             "tristrips" => strips(element, values, &mut builder)?,
+            "edge" => edges(element, values, &mut builder)?,
             _ => rows(element, values, |_, _| Ok(()))?,
         }
     }
@@ -102,6 +103,20 @@ fn vertices(element: &Element, values: &mut Values, builder: &mut Builder) -> Re
     })
 }
 
+/// Lines between `vertex1` and `vertex2`; an element without them is skipped like any other that we don't know.
+fn edges(element: &Element, values: &mut Values, builder: &mut Builder) -> Result<(), Fault> {
+    let scalar = |name: &str| element.properties.iter().position(|p| p.name == name && matches!(p.kind, Kind::Scalar(_)));
+    let ends = scalar("vertex1").zip(scalar("vertex2"));
+    rows(element, values, |_, row| {
+        if let Some((a, b)) = ends {
+            // What is no index becomes -1, out of range.
+            let index = |x: f64| saturating_index(if x.fract() == 0.0 { x as i64 } else { -1 });
+            builder.polyline(&[index(row.scalars[a]), index(row.scalars[b])]);
+        }
+        Ok(())
+    })
+}
+
 /// Which property is the list of vertex indices; both names are in use.
 fn index_list(element: &Element) -> Option<usize> {
     let is_list = |kind| matches!(kind, Kind::List { .. });
@@ -142,25 +157,43 @@ fn strips(element: &Element, values: &mut Values, builder: &mut Builder) -> Resu
     })
 }
 
-/// The mesh as little endian binary ply in f64, with a colour for each face if wanted.
-pub(crate) fn write(mesh: &TriMesh, face_colors: Option<&[[u8; 3]]>) -> Vec<u8> {
-    let colors = if face_colors.is_some() { "property uchar red\nproperty uchar green\nproperty uchar blue\n" } else { "" };
+/// Colours of a ply.
+pub(crate) struct Colors<'a> {
+    /// One for each face.
+    pub(crate) faces: &'a [[u8; 3]],
+    /// Coloured points, which become vertices without faces after those of the mesh.
+    pub(crate) points: &'a [(DVec3, [u8; 3])],
+}
+
+/// Vertices of the mesh where points have colours.
+const GREY: [u8; 3] = [205; 3];
+const COLOR_PROPERTIES: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+
+/// The mesh as little endian binary ply in f64, with colours if wanted.
+pub(crate) fn write(mesh: &TriMesh, colors: Option<&Colors>) -> Vec<u8> {
+    let points = colors.map_or(&[][..], |c| c.points);
+    let vertex_colors = if points.is_empty() { "" } else { COLOR_PROPERTIES };
+    let face_colors = if colors.is_some() { COLOR_PROPERTIES } else { "" };
     let mut bytes = format!(
         "ply\nformat binary_little_endian 1.0\n\
-         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
-         element face {}\nproperty list uchar int vertex_indices\n{colors}end_header\n",
-        mesh.n_vertices(),
+         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{vertex_colors}\
+         element face {}\nproperty list uchar int vertex_indices\n{face_colors}end_header\n",
+        mesh.n_vertices() + points.len(),
         mesh.n_faces()
     )
     .into_bytes();
-    for p in mesh.positions() {
+    let vertices = mesh.positions().iter().map(|&p| (p, GREY)).chain(points.iter().copied());
+    for (p, color) in vertices {
         bytes.extend(p.to_array().iter().flat_map(|x| x.to_le_bytes()));
+        if !points.is_empty() {
+            bytes.extend(color);
+        }
     }
     for (f, corners) in mesh.faces().iter().enumerate() {
         bytes.push(3);
         bytes.extend(corners.iter().flat_map(|v| v.0.to_le_bytes()));
-        if let Some(colors) = face_colors {
-            bytes.extend(colors[f]);
+        if let Some(colors) = colors {
+            bytes.extend(colors.faces[f]);
         }
     }
     bytes

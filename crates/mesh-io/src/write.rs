@@ -2,6 +2,7 @@
 
 use crate::error::WriteError;
 use crate::{Format, gltf, obj, off, ply, stl};
+use glam::DVec3;
 use mesh_core::TriMesh;
 use std::fs;
 use std::io;
@@ -18,11 +19,18 @@ pub fn write(path: &Path, mesh: &TriMesh) -> Result<(), WriteError> {
 }
 
 /// Writes a ply with one colour for each face, whatever the extension of `path`; atomic as [`write()`] is.
-pub fn write_colored_ply(path: &Path, mesh: &TriMesh, face_colors: &[[u8; 3]]) -> Result<(), WriteError> {
+///
+/// Coloured `points` that lie on the mesh become vertices without faces, after those of the mesh.
+pub fn write_colored_ply(
+    path: &Path,
+    mesh: &TriMesh,
+    face_colors: &[[u8; 3]],
+    points: &[(DVec3, [u8; 3])],
+) -> Result<(), WriteError> {
     if face_colors.len() != mesh.n_faces() {
         return Err(WriteError::ColorCount { colors: face_colors.len(), faces: mesh.n_faces() });
     }
-    replace(path, &ply::write(mesh, Some(face_colors)))
+    replace(path, &ply::write(mesh, Some(&ply::Colors { faces: face_colors, points })))
 }
 
 /// The bytes that [`write()`] would put into the file.
@@ -39,7 +47,7 @@ pub fn write_bytes(mesh: &TriMesh, format: Format) -> Result<Vec<u8>, WriteError
 
 /// The positions of a mesh in single precision.
 pub(crate) fn single_precision(mesh: &TriMesh) -> Result<Vec<[f32; 3]>, WriteError> {
-    let rounded = |(vertex, p): (usize, &glam::DVec3)| {
+    let rounded = |(vertex, p): (usize, &DVec3)| {
         let p = p.as_vec3();
         if p.is_finite() { Ok(p.to_array()) } else { Err(WriteError::NotSinglePrecision { vertex }) }
     };

@@ -149,7 +149,7 @@ fn a_ray_that_misses_or_hits_far_away_is_replaced_by_the_nearest_point() {
 /// The base mesh of a fixture with its map, subdivided.
 fn domain_of(mesh: &TriMesh, base_vertices: usize, levels: u32) -> (BaseStages, SubdivDomain) {
     let options = semireg::Options { base_vertices: Some(base_vertices), ..semireg::Options::default() };
-    let stages = semireg::base(&mesh.to_soup(), &options).unwrap();
+    let stages = semireg::base(&mesh.to_soup(), &options).unwrap().stages;
     let domain = subdiv::subdivide(&stages.base.mesh, &stages.base.region, levels).unwrap();
     (stages, domain)
 }
@@ -174,9 +174,9 @@ fn check_places(surface: &Surface<'_>, projected: &Projected) {
 fn with_a_map_and_without_no_vertex_leaves_its_place() {
     for mesh in [fixtures::part(6), fixtures::cylinder(0.5, 1.5, 32), fixtures::shell(16), fixtures::crossing_boxes(4)] {
         let (stages, domain) = domain_of(&mesh, 80, 2);
-        let BaseStages { cleaned, network, base, .. } = &stages;
-        let normals = SheetNormals::new(&cleaned.mesh, &cleaned.topology, network);
-        let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals: &normals };
+        let BaseStages { working, network, base, .. } = &stages;
+        let normals = SheetNormals::new(&working.mesh, &working.topology, network);
+        let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals: &normals };
         let origins = Origins { base, points: &domain.origins };
         for (origins, ray_reach) in [(None, 0.5), (Some(origins), 0.0), (Some(origins), 0.5)] {
             let options = ProjectOptions { ray_reach };
@@ -200,10 +200,10 @@ fn with_a_map_and_without_no_vertex_leaves_its_place() {
 fn parts_that_pass_through_each_other_are_kept_apart() {
     let mesh = fixtures::crossing_boxes(4);
     let (stages, domain) = domain_of(&mesh, 60, 3);
-    let BaseStages { cleaned, network, base, .. } = &stages;
-    let normals = SheetNormals::new(&cleaned.mesh, &cleaned.topology, network);
-    let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals: &normals };
-    let (component, n) = cleaned.topology.components();
+    let BaseStages { working, network, base, .. } = &stages;
+    let normals = SheetNormals::new(&working.mesh, &working.topology, network);
+    let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals: &normals };
+    let (component, n) = working.topology.components();
     assert_eq!(n, 2);
     let origins = Origins { base, points: &domain.origins };
     for origins in [None, Some(origins)] {
@@ -218,9 +218,9 @@ fn parts_that_pass_through_each_other_are_kept_apart() {
 #[test]
 fn the_result_is_the_same_on_any_number_of_threads() {
     let (stages, domain) = domain_of(&fixtures::cylinder(0.5, 1.5, 32), 60, 2);
-    let BaseStages { cleaned, network, base, .. } = &stages;
-    let normals = SheetNormals::new(&cleaned.mesh, &cleaned.topology, network);
-    let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals: &normals };
+    let BaseStages { working, network, base, .. } = &stages;
+    let normals = SheetNormals::new(&working.mesh, &working.topology, network);
+    let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals: &normals };
     let on = |threads: usize, origins: Option<Origins<'_>>| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| project(&surface, &domain.mesh, &domain.region, origins, &ProjectOptions::default()).unwrap().mesh)
@@ -246,9 +246,9 @@ fn what_does_not_fit_is_refused() {
     assert!(matches!(refused, ProjectError::NotManifold(_)), "{refused}");
 
     let (stages, domain) = domain_of(&fixtures::icosphere(6), 12, 1);
-    let BaseStages { cleaned, network, base, .. } = &stages;
-    let normals = SheetNormals::new(&cleaned.mesh, &cleaned.topology, network);
-    let surface = Surface { mesh: &cleaned.mesh, topology: &cleaned.topology, network, normals: &normals };
+    let BaseStages { working, network, base, .. } = &stages;
+    let normals = SheetNormals::new(&working.mesh, &working.topology, network);
+    let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals: &normals };
     let too_few = IdVec::from_vec(domain.origins.as_slice()[1..].to_vec());
     let mut beyond = domain.origins.clone();
     beyond[VertexId(5)].face = FaceId(99_999);

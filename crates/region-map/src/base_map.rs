@@ -88,6 +88,11 @@ impl Chart {
 
     /// Where a point of the working mesh lies in the plane, `None` for a face that is not in the chart.
     pub fn find(&self, point: SurfacePoint) -> Option<DVec2> {
+        self.find_deepest(point).map(|found| found.0)
+    }
+
+    /// The same, with how deep inside the nearest piece of its face the point lies: negative for a point outside of the chart.
+    fn find_deepest(&self, point: SurfacePoint) -> Option<(DVec2, f64)> {
         let start = self.by_source.partition_point(|&(f, _)| f < point.face);
         let pieces = self.by_source[start..].iter().take_while(|(f, _)| *f == point.face);
         let (piece, w) = pieces
@@ -97,9 +102,10 @@ impl Chart {
                 (piece, DMat3::from_cols(a, b, c).inverse() * point.barycentric)
             })
             .max_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))?;
+        let depth = depth(w);
         let w = clamped(w);
         let [a, b, c] = piece.vertices.map(|v| self.uv[v as usize]);
-        Some(w.x * a + w.y * b + w.z * c)
+        Some((w.x * a + w.y * b + w.z * c, depth))
     }
 }
 
@@ -129,26 +135,35 @@ struct Edit {
 #[derive(Clone, Debug)]
 pub struct BaseMap {
     charts: IdVec<ChartId, Chart>,
-    chart_of_face: IdVec<FaceId, ChartId>,
+    /// The charts with pieces of a working face, in rising order. A face that base edges cross is in several.
+    by_source: Vec<(FaceId, ChartId)>,
     roots: IdVec<ChartId, Vec<MapFaceId>>,
     faces: IdVec<MapFaceId, MapFace>,
     edits: Vec<Edit>,
 }
 
 impl BaseMap {
-    /// A map from charts that cover the working faces as `chart_of_face` says, and the first base faces as triangles in them.
-    pub fn new(charts: IdVec<ChartId, Chart>, chart_of_face: IdVec<FaceId, ChartId>, base: &[(ChartId, [DVec2; 3])]) -> Self {
+    /// A map from charts that cover the working faces, and the first base faces as triangles in them.
+    pub fn new(charts: IdVec<ChartId, Chart>, base: &[(ChartId, [DVec2; 3])]) -> Self {
+        let sources = charts.enumerate().flat_map(|(id, chart)| chart.by_source.iter().map(move |&(f, _)| (f, id)));
+        let mut by_source: Vec<_> = sources.collect();
+        by_source.sort_unstable();
+        by_source.dedup();
         let mut roots = IdVec::filled(Vec::new(), charts.len());
         let mut faces = IdVec::new();
         for &(chart, layout) in base {
             roots[chart].push(faces.push(MapFace { origin: Origin::Chart(chart), layout, replaced_by: None }));
         }
-        Self { charts, chart_of_face, roots, faces, edits: Vec::new() }
+        Self { charts, by_source, roots, faces, edits: Vec::new() }
     }
 
     /// The charts.
     pub fn charts(&self) -> &IdVec<ChartId, Chart> {
         &self.charts
+    }
+    /// The first base faces in a chart, before any edit, as flat triangles.
+    pub fn first_faces(&self, chart: ChartId) -> impl Iterator<Item = [DVec2; 3]> + '_ {
+        self.roots[chart].iter().map(|&f| self.faces[f].layout)
     }
     /// Number of edits so far.
     pub fn n_edits(&self) -> usize {
@@ -191,8 +206,10 @@ impl BaseMap {
     /// The present base face and the barycentric coordinates in it of a point of the working mesh: the history run forwards.
     /// `None` for a face that no chart holds.
     pub fn find(&self, point: SurfacePoint) -> Option<(MapFaceId, DVec3)> {
-        let chart = *self.chart_of_face.get(point.face)?;
-        let p = self.charts[chart].find(point)?;
+        let start = self.by_source.partition_point(|&(f, _)| f < point.face);
+        let charts = self.by_source[start..].iter().take_while(|(f, _)| *f == point.face);
+        let found = charts.filter_map(|&(_, chart)| Some((chart, self.charts[chart].find_deepest(point)?)));
+        let (chart, (p, _)) = found.max_by(|a, b| a.1.1.total_cmp(&b.1.1).then(b.0.cmp(&a.0)))?;
         let first = *self.roots[chart].first()?;
         let (mut face, mut barycentric) = containing(self.roots[chart].iter().map(|&f| (f, &self.faces[f].layout)), p, first);
         while let Some(edit) = self.faces[face].replaced_by {

@@ -19,7 +19,7 @@ impl Sizing {
     /// Relative edge length at a point.
     pub fn at(&self, mesh: &TriMesh, point: SurfacePoint) -> f64 {
         let [a, b, c] = mesh.face(point.face).map(|v| self.relative[v]);
-        let w = point.barycentric;
-        w.x * a + w.y * b + w.z * c
+        // In this form a field that is constant stays so to the last bit.
+        a + point.barycentric.y * (b - a) + point.barycentric.z * (c - a)
     }
 }

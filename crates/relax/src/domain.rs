@@ -33,6 +33,9 @@ pub(crate) struct Rail {
     pub(crate) arc: ArcId,
     pub(crate) behind: RailEnd,
     pub(crate) ahead: RailEnd,
+    /// The gap to a neighbour does not get longer than this: a chord across a hole would be cheap for its triangles, and far from
+    /// the arc.
+    pub(crate) longest_gap: f64,
 }
 
 /// A neighbour on an arc: in the arc lengths of the vertex between, it is at its own arc length plus `shift`.
@@ -96,6 +99,9 @@ impl<'a> Domain<'a> {
     }
 }
 
+/// Gaps between neighbours on an arc get longer than at the start by at most this factor.
+const STRETCH: f64 = 3.0;
+
 /// The neighbours of `v`, at arc length `t`, on its arc.
 fn rail(topology: &Topology, map: &RegionMap, v: VertexId, arc: ArcId, t: f64) -> Result<Rail, RelaxError> {
     let mut ends: Vec<(f64, RailEnd)> = Vec::new();
@@ -109,9 +115,11 @@ fn rail(topology: &Topology, map: &RegionMap, v: VertexId, arc: ArcId, t: f64) -
             ends.push((gap, RailEnd { vertex, shift: t + gap - own }));
         }
     }
+    let longest_gap = STRETCH * ends.iter().map(|end| end.0.abs()).fold(0.0, f64::max);
     match ends[..] {
-        [(a, behind), (b, ahead)] if a <= 0.0 && b >= 0.0 && a < b => Ok(Rail { arc, behind, ahead }),
-        [(b, ahead), (a, behind)] if a <= 0.0 && b >= 0.0 && a < b => Ok(Rail { arc, behind, ahead }),
+        [(a, behind), (b, ahead)] | [(b, ahead), (a, behind)] if a <= 0.0 && b >= 0.0 && a < b => {
+            Ok(Rail { arc, behind, ahead, longest_gap })
+        }
         _ => Err(RelaxError::ArcOrder(v)),
     }
 }

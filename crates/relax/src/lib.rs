@@ -38,6 +38,7 @@
 mod domain;
 mod energy;
 mod error;
+mod mend;
 mod options;
 mod placement;
 mod quadric;

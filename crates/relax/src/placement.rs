@@ -51,6 +51,11 @@ impl Placement {
         Self(IdVec::from_vec(vertices.into_par_iter().map(&spot).collect()))
     }
 
+    /// Puts one vertex elsewhere.
+    pub(crate) fn move_to(&mut self, v: VertexId, spot: Spot) {
+        self.0[v] = spot;
+    }
+
     /// Corner positions of a face.
     pub(crate) fn triangle(&self, domain: &Domain, f: FaceId) -> [DVec3; 3] {
         domain.topology.face(f).map(|v| self[v].position)
@@ -149,7 +154,7 @@ impl Domain<'_> {
     }
 
     /// The place of `v` after a displacement, as far as arcs and neighbours on them let it.
-    fn displaced(&self, placement: &Placement, v: VertexId, displacement: DVec3) -> Spot {
+    pub(crate) fn displaced(&self, placement: &Placement, v: VertexId, displacement: DVec3) -> Spot {
         let spot = placement[v];
         if displacement == DVec3::ZERO {
             return spot;
@@ -157,7 +162,10 @@ impl Domain<'_> {
         match &self.freedoms[v] {
             Freedom::Fixed => spot,
             Freedom::Rail(rail) => {
-                let [back, forth] = [rail.behind, rail.ahead].map(|end| SLIDE_SHARE * (placement.end_of_rail(end) - spot.t));
+                let [behind, ahead] = [rail.behind, rail.ahead].map(|end| placement.end_of_rail(end) - spot.t);
+                // Half of what a gap may still grow, as the neighbour may slide the other way.
+                let slack = |gap: f64| 0.5 * (rail.longest_gap - gap.abs()).max(0.0);
+                let (back, forth) = ((SLIDE_SHARE * behind).max(-slack(ahead)), (SLIDE_SHARE * ahead).min(slack(behind)));
                 let slide = displacement.dot(self.rail_direction(rail, spot.t));
                 self.spot_on_arc(rail, spot.t + slide.clamp(back.min(0.0), forth.max(0.0)))
             }

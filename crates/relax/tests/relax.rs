@@ -63,6 +63,20 @@ fn folded_starts_are_untangled() {
     }
 }
 
+/// With nothing else on, the few folds of a light jitter are mended vertex by vertex.
+#[test]
+fn the_last_folds_are_mended() {
+    let off = RelaxOptions {
+        quadric: QuadricOptions { iterations: 0, ..Default::default() },
+        shape: ShapeOptions { untangling_steps: 0, steps: 0, ..Default::default() },
+    };
+    for (name, bed) in [("sphere", icosphere(4)), ("cylinder", frustum([1.0, 1.0], 1.5, 6, 4))] {
+        let report = bed.jitter(0.55, 11).relax(&off).report;
+        assert!((1..50).contains(&report.start.inverted), "{name}: {report:?}");
+        assert_eq!((report.end.inverted, report.shape_steps), (0, 0), "{name}: {report:?}");
+    }
+}
+
 #[test]
 fn the_paper_s_relaxation_alone_improves_and_never_turns_over() {
     for (name, bed) in beds() {

@@ -1,8 +1,8 @@
 //! Sites on a cylinder cut into its three sides, the round one in two: `cargo run -p segment-cvt --example sites -- [BASE_VERTICES]`
 
 use mesh_core::Topology;
-use region_map::{ArcKind, Cells, Network, PatchId, Segmentation};
-use segment_cvt::{CvtOptions, SizingField, sample};
+use region_map::{ArcKind, Cells, Network, PatchId, Segmentation, Sizing};
+use segment_cvt::{CvtOptions, sample};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
 
     let options = CvtOptions { base_vertices, ..CvtOptions::default() };
-    let sampled = sample(&mesh, &cells, &SizingField::uniform(), &options)?;
+    let sampled = sample(&mesh, &cells, &Sizing::uniform(&mesh), &options)?;
     println!("asked {base_vertices}, needed {}, made {}", sampled.budget.needed, sampled.budget.total);
     println!("edge length {:.3}, {} corners", sampled.budget.edge_length, cells.corners.len());
     for (arc, steps) in sampled.sites.on_arcs.enumerate() {

@@ -1,8 +1,6 @@
 //! Arc length in units of the sizing field.
 
-use crate::SizingField;
-use mesh_core::TriMesh;
-use region_map::CellArc;
+use region_map::{CellArc, Sizing};
 
 /// `integral ds / h` along an arc, relative to the edge length of the budget, up to stops that begin and end with the arc.
 pub(crate) struct ArcMeasure {
@@ -10,23 +8,23 @@ pub(crate) struct ArcMeasure {
     stops: Vec<(f64, f64)>,
 }
 
-/// The field is taken as constant over pieces of this share of an arc: an edge of a CAD file may be as long as its arc.
+/// Where it varies the field is taken as constant over pieces of this share of an arc: an edge of a CAD file may be as long as its arc.
 const PIECE: f64 = 1.0 / 64.0;
 
 impl ArcMeasure {
-    pub(crate) fn new(mesh: &TriMesh, arc: &CellArc, sizing: &SizingField) -> Self {
-        let longest = if sizing.is_uniform() { f64::INFINITY } else { PIECE * arc.length() };
+    pub(crate) fn new(arc: &CellArc, sizing: &Sizing) -> Self {
         let mut stops = vec![(0.0, 0.0)];
         let mut measure = 0.0;
-        for ends in arc.lengths.windows(2) {
+        for (ends, vertices) in arc.lengths.windows(2).zip(arc.vertices.windows(2)) {
             let length = ends[1] - ends[0];
+            let [h0, h1] = [0, 1].map(|i| sizing.relative[vertices[i]]);
             // One piece where the ratio is 0, or not a number on an arc without length.
-            let n = (length / longest).ceil().max(1.0) as usize;
+            let n = if h0 == h1 { 1 } else { (length / (PIECE * arc.length())).ceil().max(1.0) as usize };
             for i in 0..n {
-                let along = |i: usize| if i == n { ends[1] } else { ends[0] + length * i as f64 / n as f64 };
-                let (from, to) = (along(i), along(i + 1));
-                measure += (to - from) / sizing.relative(arc.position(mesh, from.midpoint(to)));
-                stops.push((to, measure));
+                let middle = (i as f64 + 0.5) / n as f64;
+                measure += length / n as f64 / (h0 + middle * (h1 - h0));
+                let end = if i + 1 == n { ends[1] } else { ends[0] + length * (i + 1) as f64 / n as f64 };
+                stops.push((end, measure));
             }
         }
         Self { stops }

@@ -4,16 +4,15 @@
 //! the arcs overrun the request. Here: corners once, `k - 1` sites inside an arc of `k` segments, and in a disk patch with `b`
 //! border sites `i = max(0, (T - b + 2) / 2)` with `T = integral dA / (sqrt(3)/4 h^2)` equilateral triangles of edge length `h`.
 
-use crate::SizingField;
 use crate::arc_measure::ArcMeasure;
 use crate::candidates::spread;
-use mesh_core::{IdVec, TriMesh};
-use region_map::{CellArcId, CellPatch, Cells, PatchId};
+use mesh_core::{IdVec, TriMesh, equilateral_edge_length};
+use region_map::{CellArcId, CellPatch, Cells, PatchId, Sizing};
 
 /// Segments of every arc and inner sites of every patch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Budget {
-    /// Edge length that the budget was made for, in the units of the mesh, before the sizing field.
+    /// Edge length that the budget was made for, in the units of the mesh, where the sizing field is 1.
     pub edge_length: f64,
     /// Segments of every arc.
     pub segments: IdVec<CellArcId, usize>,
@@ -39,13 +38,13 @@ pub(crate) fn budget(
     mesh: &TriMesh,
     cells: &Cells,
     arcs: &IdVec<CellArcId, ArcMeasure>,
-    sizing: &SizingField,
+    sizing: &Sizing,
     wanted: usize,
 ) -> Budget {
     let demand = Demand::measure(mesh, cells, arcs, sizing);
     let needed = demand.at(f64::INFINITY).total;
-    // eq. 3, the edge length of `wanted` vertices without sizing field.
-    let guess = (2.0 * mesh.total_area() / (3f64.sqrt() * wanted.max(1) as f64)).sqrt();
+    // eq. 3 for the area in units of the sizing field, of which only ratios matter.
+    let guess = equilateral_edge_length(UNIT_TRIANGLE * demand.patches.iter().sum::<f64>(), wanted);
     let (mut short, mut long) = (guess * 1e-3, guess * 1e3);
     for _ in 0..BISECTIONS {
         let middle = (short * long).sqrt();
@@ -68,7 +67,7 @@ struct Demand {
 }
 
 impl Demand {
-    fn measure(mesh: &TriMesh, cells: &Cells, arcs: &IdVec<CellArcId, ArcMeasure>, sizing: &SizingField) -> Self {
+    fn measure(mesh: &TriMesh, cells: &Cells, arcs: &IdVec<CellArcId, ArcMeasure>, sizing: &Sizing) -> Self {
         let patch = |patch: &CellPatch| {
             let area: f64 = patch.faces.iter().map(|&f| mesh.area(f)).sum();
             let points = spread(mesh, &patch.faces, sizing, SAMPLES, 0);

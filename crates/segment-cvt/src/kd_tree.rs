@@ -1,17 +1,15 @@
 //! Points in a k-d tree (Bentley 1975), for searches of what is near.
 //!
-//! Measured: 500 sites in one patch 0.2 s in place of 0.7 s, 32 000 looks into a sizing field of 10 000 places 0.02 s.
+//! Measured: 500 sites in one patch 0.2 s in place of 0.7 s.
 
 use glam::DVec3;
 use mesh_core::Bounds;
 
 /// A balanced tree without pointers: the middle of a range is its node, split along `axis`; the halves are its children.
-#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct KdTree {
     nodes: Vec<Node>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
 struct Node {
     position: DVec3,
     index: usize,

@@ -1,11 +1,11 @@
 //! Where the base vertices shall be: on arcs by arc length, inside patches by centroidal Voronoi relaxation (paper, section 3.2).
 //!
-//! [`sample`] takes the cells of a segmentation and a number of base vertices, and returns [`region_map::Sites`].
+//! [`sample`] takes the cells of a segmentation, a sizing field and a number of base vertices, and returns [`region_map::Sites`].
 //!
 //! ```
 //! use mesh_core::Topology;
-//! use region_map::{ArcKind, Cells, Network, PatchId, Segmentation};
-//! use segment_cvt::{CvtOptions, SizingField, sample};
+//! use region_map::{ArcKind, Cells, Network, PatchId, Segmentation, Sizing};
+//! use segment_cvt::{CvtOptions, sample};
 //!
 //! // A rectangle of two triangles: one patch in one border loop.
 //! let mesh = fixtures::plane();
@@ -16,7 +16,7 @@
 //! let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
 //!
 //! let options = CvtOptions { base_vertices: 50, ..CvtOptions::default() };
-//! let sampled = sample(&mesh, &cells, &SizingField::uniform(), &options)?;
+//! let sampled = sample(&mesh, &cells, &Sizing::uniform(&mesh), &options)?;
 //! let on_arcs: usize = sampled.sites.on_arcs.iter().map(Vec::len).sum();
 //! let inside: usize = sampled.sites.in_patches.iter().map(Vec::len).sum();
 //! assert_eq!(cells.corners.len() + on_arcs + inside, 50);
@@ -30,9 +30,7 @@ mod kd_tree;
 mod lloyd;
 mod options;
 mod sample;
-mod sizing;
 
 pub use budget::Budget;
 pub use options::CvtOptions;
 pub use sample::{CvtError, Sampled, sample};
-pub use sizing::SizingField;

@@ -89,14 +89,14 @@ fn owner(position: DVec3, to_border: f64, sites: &[DVec3], tree: &KdTree) -> (f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::SizingField;
     use crate::candidates::spread;
+    use region_map::Sizing;
 
     /// A square of two triangles, its candidates, and its corners as border sites.
     fn square(n: usize) -> (Vec<Candidate>, Vec<DVec3>) {
         let mesh = fixtures::plane();
         let faces: Vec<_> = mesh.faces().ids().collect();
-        (spread(&mesh, &faces, &SizingField::uniform(), n, 0), mesh.positions().as_slice().to_vec())
+        (spread(&mesh, &faces, &Sizing::uniform(&mesh), n, 0), mesh.positions().as_slice().to_vec())
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! The stage: budget, sites on arcs, sites in patches.
 
 use crate::arc_measure::ArcMeasure;
-use crate::{Budget, CvtOptions, SizingField, budget, candidates, lloyd};
+use crate::{Budget, CvtOptions, budget, candidates, lloyd};
 use glam::DVec3;
 use mesh_core::{Id, IdVec, SurfacePoint, TriMesh};
 use rayon::prelude::*;
-use region_map::{CellArcId, CellPatch, Cells, PatchId, Sites};
+use region_map::{CellArcId, CellPatch, Cells, PatchId, Sites, Sizing};
 
 /// Sites, and the budget that they were made by.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,12 +29,15 @@ const CANDIDATES_PER_SITE: usize = 100;
 
 /// Chooses the sites of the base mesh: all corners, points on arcs at even steps of the sizing field, and relaxed points in patches.
 ///
+/// The sizing field is one of this mesh. On arcs the spacing is in proportion to it; inside patches the sites are as many to an area
+/// as its inverse square says.
+///
 /// Patches are independent: the same seed gives the same sites on any number of threads.
-pub fn sample(mesh: &TriMesh, cells: &Cells, sizing: &SizingField, options: &CvtOptions) -> Result<Sampled, CvtError> {
+pub fn sample(mesh: &TriMesh, cells: &Cells, sizing: &Sizing, options: &CvtOptions) -> Result<Sampled, CvtError> {
     if mesh.total_area() <= 0.0 {
         return Err(CvtError::NoArea);
     }
-    let measures: IdVec<CellArcId, ArcMeasure> = cells.arcs.iter().map(|arc| ArcMeasure::new(mesh, arc, sizing)).collect();
+    let measures: IdVec<CellArcId, ArcMeasure> = cells.arcs.iter().map(|arc| ArcMeasure::new(arc, sizing)).collect();
     let budget = budget::budget(mesh, cells, &measures, sizing, options.base_vertices);
     let on_arcs: IdVec<CellArcId, Vec<f64>> = measures.enumerate().map(|(id, m)| m.even_steps(budget.segments[id])).collect();
     let in_patches: Vec<Vec<SurfacePoint>> = cells
@@ -52,7 +55,7 @@ fn in_patch(
     cells: &Cells,
     patch: &CellPatch,
     on_arcs: &IdVec<CellArcId, Vec<f64>>,
-    sizing: &SizingField,
+    sizing: &Sizing,
     n: usize,
     options: &CvtOptions,
 ) -> Vec<SurfacePoint> {

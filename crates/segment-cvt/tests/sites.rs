@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use mesh_core::{Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcKind, Cells, Network, PatchId, Segmentation, Sites};
-use segment_cvt::{CvtError, CvtOptions, Sampled, SizingField, sample};
+use region_map::{ArcKind, Cells, Network, PatchId, Segmentation, Sites, Sizing};
+use segment_cvt::{CvtError, CvtOptions, Sampled, sample};
 use segment_vsa::{VsaOptions, segment};
 
 /// The cells of a mesh cut at borders and edges of more than 40 degrees, with this segmentation.
@@ -54,7 +54,7 @@ fn options(base_vertices: usize) -> CvtOptions {
 }
 
 fn uniform(mesh: &TriMesh, cells: &Cells, base_vertices: usize) -> Sampled {
-    sample(mesh, cells, &SizingField::uniform(), &options(base_vertices)).unwrap()
+    sample(mesh, cells, &Sizing::uniform(mesh), &options(base_vertices)).unwrap()
 }
 
 fn n_sites(cells: &Cells, sites: &Sites) -> usize {
@@ -187,12 +187,18 @@ fn a_plane_of_two_triangles_is_filled_evenly() {
     }
 }
 
+/// A rectangle of 100 by 60 in three strips of two triangles, with a relative edge length on each of the lines x = 0, 40, 50, 100.
+fn strips(relative: [f64; 4]) -> (TriMesh, Sizing) {
+    let position = |i: usize| DVec3::new([0.0, 40.0, 50.0, 100.0][i / 2], 60.0 * (i % 2) as f64, 0.0);
+    let faces = [0, 2, 4].into_iter().flat_map(|i| [[i, i + 2, i + 3], [i, i + 3, i + 1]]).collect();
+    let mesh = TriMesh::new((0..8).map(position).collect(), faces).unwrap();
+    (mesh, Sizing { relative: (0..8).map(|i| relative[i / 2]).collect() })
+}
+
 #[test]
 fn the_sizing_field_halves_the_spacing_where_it_asks_for_it() {
-    let mesh = fixtures::plane();
+    let (mesh, sizing) = strips([0.5, 0.5, 1.0, 1.0]);
     let cells = sheet_cells(&mesh);
-    let places = (0..=20).flat_map(|i| (0..=30).map(move |j| (DVec3::new(2.0 * f64::from(i), 2.0 * f64::from(j), 0.0), 0.5)));
-    let sizing = SizingField::new(places.collect(), 0.05);
     let Sampled { sites, budget } = sample(&mesh, &cells, &sizing, &options(400)).unwrap();
     assert_eq!(budget.total, 400);
     let positions = positions(&mesh, &cells, &sites);
@@ -208,6 +214,38 @@ fn the_sizing_field_halves_the_spacing_where_it_asks_for_it() {
     let lower =
         |from: f64, to: f64| positions.iter().filter(|p| p.y == 0.0 && p.x > from && p.x < to).count() as f64 / (to - from);
     assert!((lower(0.0, 38.0) / lower(55.0, 100.0) - 2.0).abs() < 0.5);
+}
+
+#[test]
+fn steps_follow_the_field_along_one_long_edge() {
+    // Every side of the rectangles is an arc of one edge; on two of length 50 the relative length falls from 1 to 1/3.
+    let (mesh, sizing) = strips([1.0, 1.0, 1.0, 1.0 / 3.0]);
+    let one_patch = |_: &Topology, _: &Network| Segmentation { patch_of_face: IdVec::filled(PatchId(0), 6), n_patches: 1 };
+    let cells = cells_with_corners(&mesh, |_| true, one_patch);
+    let Sampled { sites, budget } = sample(&mesh, &cells, &sizing, &options(900)).unwrap();
+    let falling: Vec<_> = cells.arcs.ids().filter(|&a| cells.arcs[a].length() == 50.0).collect();
+    assert_eq!(falling.len(), 2);
+    for a in falling {
+        let arc = &cells.arcs[a];
+        let stops: Vec<f64> = [0.0].into_iter().chain(sites.on_arcs[a].iter().copied()).chain([50.0]).collect();
+        let relative = |t: f64| 1.0 - (arc.position(&mesh, t).x - 50.0) / 75.0;
+        let ratios: Vec<f64> = stops.windows(2).map(|t| (t[1] - t[0]) / relative(t[0].midpoint(t[1]))).collect();
+        assert!(ratios.len() == budget.segments[a] && ratios.len() > 15);
+        assert!(ratios.iter().all(|r| (r / ratios[0] - 1.0).abs() < 0.01), "{ratios:?}");
+    }
+}
+
+#[test]
+fn only_ratios_of_the_sizing_field_matter() {
+    let (mesh, mut sizing) = strips([0.5, 1.0, 0.25, 1.0]);
+    let cells = sheet_cells(&mesh);
+    let expected = sample(&mesh, &cells, &sizing, &options(150)).unwrap();
+    // A power of two: nothing is rounded.
+    let scale = 2f64.powi(-30);
+    sizing.relative.iter_mut().for_each(|h| *h *= scale);
+    let scaled = sample(&mesh, &cells, &sizing, &options(150)).unwrap();
+    assert_eq!(scaled.sites, expected.sites);
+    assert!((scaled.budget.edge_length * scale / expected.budget.edge_length - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -239,7 +277,7 @@ fn other_numbers_and_seeds_give_sites_as_good() {
     let renumbered = TriMesh::new(mesh.positions().as_slice().to_vec(), faces).unwrap();
     let renumbered_cells = octant_cells(&renumbered);
     let second = uniform(&renumbered, &renumbered_cells, 120);
-    let reseeded = sample(&mesh, &cells, &SizingField::uniform(), &CvtOptions { seed: 7, ..options(120) }).unwrap();
+    let reseeded = sample(&mesh, &cells, &Sizing::uniform(&mesh), &CvtOptions { seed: 7, ..options(120) }).unwrap();
     assert_ne!(first.sites, reseeded.sites);
     for (mesh, cells, other) in [(&renumbered, &renumbered_cells, &second), (&mesh, &cells, &reseeded)] {
         let [other_mean, other_least] = spacing(mesh, cells, other);
@@ -251,7 +289,7 @@ fn other_numbers_and_seeds_give_sites_as_good() {
 #[test]
 fn a_surface_without_area_is_refused_and_faces_without_area_are_passed_over() {
     let line = TriMesh::new(vec![DVec3::ZERO, DVec3::X, 2.0 * DVec3::X], vec![[0, 1, 2]]).unwrap();
-    let refused = sample(&line, &sheet_cells(&line), &SizingField::uniform(), &options(10));
+    let refused = sample(&line, &sheet_cells(&line), &Sizing::uniform(&line), &options(10));
     assert_eq!(refused.unwrap_err(), CvtError::NoArea);
 
     // A square whose diagonal is a needle.

@@ -9,6 +9,22 @@ pub enum Error {
     /// Feature options don't fit.
     #[error(transparent)]
     Features(#[from] features::FeatureError),
+    /// A marked edge is none of the mesh.
+    #[error(
+        "marked edge {number} from {from:?} to {to:?} is no edge of the cleaned input; mark edges between its vertices, whose \
+         positions are kept"
+    )]
+    MarkedEdge {
+        /// Which one, counted from 1.
+        number: usize,
+        /// Where it starts.
+        from: [f64; 3],
+        /// Where it ends.
+        to: [f64; 3],
+    },
+    /// Refining broke the mesh.
+    #[error(transparent)]
+    Refine(#[from] refine::RefineError),
     /// Segmentation failed.
     #[error(transparent)]
     Segment(#[from] segment_vsa::VsaError),
@@ -48,7 +64,13 @@ pub enum Error {
     /// Relaxation failed.
     #[error(transparent)]
     Relax(#[from] relax::RelaxError),
-    /// So much of the result is folded that neither a certificate nor another rung of the ladder is worth its time.
+    /// The fit failed.
+    #[error(transparent)]
+    Fit(#[from] fit::FitError),
+    /// Snapping to minor creases failed.
+    #[error(transparent)]
+    Snap(#[from] snap::SnapError),
+    /// So much of the result is folded that a certificate is not worth its time.
     #[error(
         "{inverted} of {faces} triangles would face against the surface: the base mesh is too coarse for its shape; ask for more base \
          vertices (--base-vertices), or split the file into its parts"
@@ -58,6 +80,34 @@ pub enum Error {
         inverted: usize,
         /// Triangles in all.
         faces: usize,
+    },
+    /// Nothing is left of a given base mesh after cleaning.
+    #[error("the base mesh cannot be used: {0}")]
+    CleanBase(mesh_core::CleanError),
+    /// A given base mesh is not manifold.
+    #[error(
+        "the base mesh is not an oriented manifold ({edges} edges where more than two triangles meet or sides change, {vertices} \
+         vertices where surfaces touch); repair it, or leave --base out"
+    )]
+    BaseNotManifold {
+        /// Edges of more than two triangles or of contradicting orientation.
+        edges: usize,
+        /// Vertices of several fans.
+        vertices: usize,
+    },
+    /// A given base mesh does not fit the input.
+    #[error(transparent)]
+    Trace(#[from] trace_base::TraceError),
+    /// The finished mesh on a given base mesh did not pass the certificate.
+    #[error(
+        "the result on the given base mesh is not certified: {failure}{untraced}; give a finer base mesh with better triangles, or \
+         leave --base out"
+    )]
+    BaseNotCertified {
+        /// What failed.
+        failure: String,
+        /// Why the base mesh has no map; empty where it has one.
+        untraced: String,
     },
     /// The finished mesh did not pass the certificate.
     #[error("the result is not certified: {0}; ask for more base vertices (--base-vertices) or fewer levels")]

@@ -13,15 +13,23 @@
 //! # Ok::<(), semireg::Error>(())
 //! ```
 
+mod base_report;
 mod base_stages;
 mod error;
+mod fitting;
 mod ladder;
+mod marked;
 mod options;
 mod pipeline;
 mod report;
+mod round_trip;
+mod snapping;
+mod with_base;
 
 pub use base_stages::BaseStages;
 pub use error::Error;
+pub use fit::FitReport;
 pub use options::Options;
-pub use pipeline::{MAX_TRIANGLES, Remeshed, Stages, base, remesh};
+pub use pipeline::{Based, MAX_TRIANGLES, Remeshed, Stages, base, remesh};
 pub use report::{Report, StageSeconds};
+pub use with_base::remesh_with_base;

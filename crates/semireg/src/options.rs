@@ -1,5 +1,6 @@
 //! What a user may choose.
 
+use glam::DVec3;
 use mesh_core::CleanOptions;
 
 /// Options of the whole pipeline. Everything has a default that works.
@@ -15,10 +16,14 @@ pub struct Options {
     pub clean: CleanOptions,
     /// Creases and corners; its base edge length is set by the pipeline.
     pub features: features::FeatureOptions,
+    /// Edges that are kept whatever their angle, by the positions of their ends: vertices of the input, to a millionth of its diagonal.
+    pub marked_edges: Vec<[DVec3; 2]>,
     /// Relaxation and shape optimisation.
     pub relax: relax::RelaxOptions,
     /// Projection.
     pub project: project::ProjectOptions,
+    /// Fit of the relaxed mesh; `None` leaves its vertices on the surface.
+    pub fit: Option<fit::FitOptions>,
 }
 
 impl Default for Options {
@@ -29,8 +34,10 @@ impl Default for Options {
             seed: 0,
             clean: CleanOptions::default(),
             features: features::FeatureOptions::default(),
+            marked_edges: Vec::new(),
             relax: relax::RelaxOptions::default(),
             project: project::ProjectOptions::default(),
+            fit: Some(fit::FitOptions::default()),
         }
     }
 }

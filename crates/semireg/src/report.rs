@@ -40,6 +40,10 @@ pub struct Report {
     pub project: project::ProjectReport,
     /// What the relaxation did.
     pub relax: relax::RelaxReport,
+    /// Bends of arcs and pieces of minor creases that the finest level was snapped to.
+    pub snapped: [usize; 2],
+    /// What the fit did; `None` without one.
+    pub fit: Option<fit::FitReport>,
     /// The independent check of the result.
     pub certificate: Certificate,
     /// Wall time of the stages.

@@ -20,7 +20,7 @@ fn check(name: &str, mesh: &TriMesh, base_vertices: usize, levels: u32) -> Remes
     assert_eq!(output.euler(), input.euler(), "{name}");
     assert_eq!(output.components().1, input.components().1, "{name}");
     assert_eq!(output.border_loops().len(), input.border_loops().len(), "{name}");
-    remeshed.stages.region.check(&output, &remeshed.stages.base.network).unwrap_or_else(|e| panic!("{name}: {e}"));
+    remeshed.stages.region.check(&output, &remeshed.stages.network).unwrap_or_else(|e| panic!("{name}: {e}"));
     remeshed
 }
 

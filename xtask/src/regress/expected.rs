@@ -1,6 +1,6 @@
 //! The stored figures of the fixtures.
 
-use super::remesher::Outcome;
+use crate::remesher::Outcome;
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

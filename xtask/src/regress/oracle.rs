@@ -1,6 +1,7 @@
 //! Our distances against libigl's, from Python, in an environment of our own under the target folder.
 
-use crate::process::{must, output};
+use crate::process::output;
+use crate::python::environment;
 use crate::root;
 use anyhow::{Context, Result};
 use serde_json::{Value, json};
@@ -27,7 +28,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// Every figure on which we and libigl don't agree. Without Python it says so and finds nothing.
 pub(super) fn check(pairs: &[Pair], target: &Path) -> Result<Vec<String>> {
-    let python = match environment(&target.join("oracle")) {
+    let python = match environment(&target.join("oracle"), &PACKAGES) {
         Ok(python) => python,
         Err(e) => {
             println!("\n*** THE ORACLE WAS NOT RUN: our distances are not checked against libigl ({e:#})\n");
@@ -42,20 +43,6 @@ pub(super) fn check(pairs: &[Pair], target: &Path) -> Result<Vec<String>> {
     let problems: Vec<String> = pairs.iter().flat_map(|pair| disagreements(pair, &answers[&pair.name])).collect();
     println!("oracle: libigl measured {} results, {} figures disagree", pairs.len(), problems.len());
     Ok(problems)
-}
-
-/// The Python of an environment with the packages, made when it is not there.
-fn environment(folder: &Path) -> Result<PathBuf> {
-    let python = folder.join("bin/python");
-    // Written last: an environment that was left half made is made again.
-    let complete = folder.join("complete");
-    if fs::read_to_string(&complete).unwrap_or_default() != PACKAGES.join(" ") {
-        println!("oracle: making a Python environment with {}", PACKAGES.join(" "));
-        must(Command::new("python3").args(["-m", "venv", "--clear"]).arg(folder))?;
-        must(Command::new(&python).args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]).args(PACKAGES))?;
-        fs::write(complete, PACKAGES.join(" "))?;
-    }
-    Ok(python)
 }
 
 fn disagreements(pair: &Pair, answer: &Value) -> Vec<String> {

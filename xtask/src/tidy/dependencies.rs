@@ -4,7 +4,8 @@ use super::{packages, text};
 use serde_json::Value;
 
 /// The stages never see each other: what passes between them is in region-map.
-const STAGES: &[&str] = &["features", "sizing", "segment-vsa", "segment-cvt", "basemesh", "subdiv", "project", "relax"];
+const STAGES: &[&str] =
+    &["refine", "features", "sizing", "segment-vsa", "segment-cvt", "basemesh", "subdiv", "project", "relax", "snap", "fit"];
 
 /// What stages see.
 const BASIS: &[&str] = &["mesh-core", "region-map"];
@@ -16,7 +17,9 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
         "mesh-io" | "region-map" | "certify" | "fixtures" => Some(vec!["mesh-core"]),
         "view" => Some(BASIS.to_vec()),
         stage if STAGES.contains(&stage) => Some(BASIS.to_vec()),
-        "semireg" => Some([BASIS, STAGES, &["certify"]].concat()),
+        // It makes the same artifact, by the same charts.
+        "trace-base" => Some([BASIS, &["basemesh"]].concat()),
+        "semireg" => Some([BASIS, STAGES, &["trace-base", "certify"]].concat()),
         "cli" => Some([BASIS, &["mesh-io", "features", "certify", "view", "semireg"]].concat()),
         _ => None,
     }

@@ -16,7 +16,7 @@ const MACHINE_PATHS: &[[&str; 2]] =
 /// May name the folder of models beside the project.
 const MAY_NAME_SHARED: &str = ".ci/run";
 /// Library crates that may touch files, and those that may print: the edges of the workspace.
-const MAY_READ_FILES: &[&str] = &["crates/mesh-io/", "crates/view/", "crates/cli/", "fixtures/", "xtask/"];
+const MAY_READ_FILES: &[&str] = &["crates/mesh-io/", "crates/view/", "crates/cli/", "fixtures/", "fuzz/", "xtask/"];
 const MAY_PRINT: &[&str] = &["crates/cli/", "fixtures/src/bin/", "xtask/"];
 
 /// Everything that is out of form in the files that git knows or would take.

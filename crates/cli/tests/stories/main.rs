@@ -1,5 +1,6 @@
 //! The program as a user meets it: every test is a story of commands and what comes of them.
 
+mod base;
 mod remesh;
 mod tools;
 mod trouble;

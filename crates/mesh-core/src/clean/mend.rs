@@ -13,14 +13,16 @@ use rustc_hash::FxHashMap;
 ///
 /// Takes and leaves a manifold but for vertices between dropped faces; returns true when faces were dropped.
 pub(super) fn mend_zero_area(draft: &mut Draft, report: &mut CleanReport) -> bool {
-    let flat: Vec<FaceId> = draft.faces.ids().filter(|&f| is_flat(draft, f)).collect();
-    if flat.is_empty() {
+    if !draft.faces.ids().any(|f| is_flat(draft, f)) {
         return false;
     }
+    let mut dropped = draft.drop_faces(&without_area(draft));
+    let flat = draft.faces.ids().filter(|&f| is_flat(draft, f)).collect();
     let mut mender = Mender::new(draft);
     mender.run(flat, report);
     let drop = mender.dropped;
-    let dropped = draft.drop_faces(&drop) + draft.drop_faces(&without_area(draft));
+    // What is dropped may leave parts behind that were joined to a surface by it alone.
+    dropped += draft.drop_faces(&drop) + draft.drop_faces(&without_area(draft));
     report.zero_area_dropped += dropped;
     report.zero_area_kept = draft.faces.ids().filter(|&f| is_flat(draft, f)).count();
     dropped > 0
@@ -65,8 +67,8 @@ impl<'a> Mender<'a> {
         mender
     }
 
-    /// Goes over the flat faces until nothing changes. Ends, as every change drops a flat face, or replaces one by a face with
-    /// area, or makes an edge of two flat faces shorter.
+    /// Goes over the flat faces until nothing changes. Ends: a change never makes more flat faces, and one that leaves as many
+    /// makes an edge shorter.
     fn run(&mut self, mut flat: Vec<FaceId>, report: &mut CleanReport) {
         loop {
             let mut changed = false;
@@ -96,9 +98,8 @@ impl<'a> Mender<'a> {
             return Mended::Dropped;
         };
         let Some(d) = self.draft.faces[g].into_iter().find(|&v| v != a && v != b) else { return Mended::Not };
-        let shorter = self.length(c, d) < self.length(a, b);
         let free = !self.face_of.contains_key(&[c, d]) && !self.face_of.contains_key(&[d, c]);
-        if c == d || !free || (is_flat(self.draft, g) && !shorter) {
+        if c == d || !free || !self.gains([a, b, c, d], is_flat(self.draft, g)) {
             return Mended::Not;
         }
         self.leave(f);
@@ -111,6 +112,18 @@ impl<'a> Mender<'a> {
         self.enter(f);
         self.enter(g);
         Mended::Flipped
+    }
+
+    /// True when the flip of a flat face's edge `ab` to `cd` is progress. It always is beside a face with area, but where products
+    /// of coordinates underflow; there flips would go round in circles.
+    fn gains(&self, [a, b, c, d]: [VertexId; 4], neighbour_is_flat: bool) -> bool {
+        let flat = |corners: [VertexId; 3]| {
+            let [p, q, r] = corners.map(|v| self.draft.positions[v]);
+            collinear(p, q, r)
+        };
+        let before = 1 + usize::from(neighbour_is_flat);
+        let after = usize::from(flat([c, a, d])) + usize::from(flat([d, b, c]));
+        after < before || (after == before && self.length(c, d) < self.length(a, b))
     }
 
     fn longest_edge_first(&self, f: FaceId) -> [VertexId; 3] {

@@ -1,12 +1,13 @@
 //! From what a file holds to an oriented manifold, with a report of every repair.
 //!
-//! The order of the steps matters and is that of [`clean`]: merge vertices, drop what is no triangle, settle repeated triangles,
-//! orient, cut what is not manifold into leaves, mend triangles without area. The point set of the surface stays what it was:
-//! only triangles without area and folded flaps go; everything else is renumbered, turned or cut apart in place.
+//! The order of the steps matters and is that of [`clean`]: merge vertices, drop what is no triangle, settle repeated triangles
+//! and needles, orient, cut what is not manifold into leaves, mend triangles without area. The point set of the surface stays what
+//! it was: only triangles without area and folded flaps go; everything else is renumbered, turned or cut apart in place.
 
 mod draft;
 mod edges;
 mod mend;
+mod needles;
 mod orient;
 mod pairing;
 mod repeats;
@@ -59,7 +60,8 @@ pub struct CleanReport {
     pub vertex_copies: usize,
     /// Triangles without area mended by flipping their longest edge.
     pub zero_area_flipped: usize,
-    /// Triangles without area dropped: they are at a border, or in a part without any area.
+    /// Triangles without area dropped: they are at a border, or in a part without any area, or hang on an edge as needles (at most a
+    /// millionth as high as long).
     pub zero_area_dropped: usize,
     /// Triangles without area that had to stay, as the surface would have been opened.
     pub zero_area_kept: usize,
@@ -112,6 +114,8 @@ pub enum CleanError {
 pub fn clean(soup: &Soup, options: &CleanOptions) -> Result<Cleaned, CleanError> {
     let mut report = CleanReport::default();
     let mut draft = weld::weld(soup, options, &mut report);
+    repeats::drop_second_layers(&mut draft, &mut report);
+    needles::drop_hanging(&mut draft, &mut report);
     repeats::drop_flaps(&mut draft, &mut report);
     repeats::drop_same_way(&mut draft, &mut report);
     let pairing = loop {

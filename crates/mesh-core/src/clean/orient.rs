@@ -18,6 +18,7 @@ pub(super) fn orient(draft: &mut Draft) {
             continue;
         }
         let part = sides.flood(start, &mut turn);
+        sides.shorten_cut(draft, &part, &mut turn);
         let turned = part.iter().filter(|&&f| turn[f] == Some(true)).count();
         // Turn the others instead?
         let invert = if turned > 0 && sides.closed(&part) { volume(draft, &part, &turn) < 0.0 } else { 2 * turned > part.len() };
@@ -48,7 +49,7 @@ impl Sides {
     }
 
     /// The part of `start`, with a choice of who turns that leaves `start` as it is. Goes breadth first, so that where a
-    /// one-sided surface must be cut the cut lies opposite the start and is short.
+    /// one-sided surface must be cut the cut lies opposite the start and runs across it.
     fn flood(&self, start: FaceId, turn: &mut IdVec<FaceId, Option<bool>>) -> Vec<FaceId> {
         let mut part = vec![start];
         let mut queue = VecDeque::from([(start, false)]);
@@ -63,6 +64,30 @@ impl Sides {
             }
         }
         part
+    }
+
+    /// Where a one-sided surface is cut: turns single faces as long as that makes the cut shorter. Without it the cut is as jagged
+    /// as the front of the flood. Ends, as every turn leaves a shorter cut.
+    fn shorten_cut(&self, draft: &Draft, part: &[FaceId], turn: &mut IdVec<FaceId, Option<bool>>) {
+        /// Rounding must not turn a face to and fro.
+        const SHORTER: f64 = 1.0 - 1e-9;
+        let mut again = true;
+        while again {
+            again = false;
+            for &f in part {
+                let (mut cut, mut whole) = (0.0, 0.0);
+                for (c, &side) in self.neighbours[f].iter().enumerate() {
+                    let Some((g, disagree)) = side else { continue };
+                    let ends = [c, (c + 1) % 3].map(|i| draft.positions[draft.faces[f][i]]);
+                    let is_cut = (turn[f] != turn[g]) != disagree;
+                    *if is_cut { &mut cut } else { &mut whole } += ends[0].distance(ends[1]);
+                }
+                if whole < SHORTER * cut {
+                    turn[f] = turn[f].map(|t| !t);
+                    again = true;
+                }
+            }
+        }
     }
 
     fn closed(&self, part: &[FaceId]) -> bool {

@@ -6,6 +6,36 @@ use super::edges::edge_groups;
 use crate::partition::Partition;
 use crate::{FaceId, IdVec, VertexId};
 
+/// Where repeated triangles lie on a surface that is manifold without them, the first of each stays, whichever way the others
+/// face. Done before anything is oriented: neighbours of repeated triangles would not find each other.
+///
+/// Repeated triangles that share edges are judged together: one edge of three different triangles, and all may be sides of
+/// different parts, such as the common wall of two solids.
+pub(super) fn drop_second_layers(draft: &mut Draft, report: &mut CleanReport) {
+    let first = first_copies(draft);
+    let mut repeated = IdVec::<FaceId, bool>::filled(false, draft.faces.len());
+    for f in first.ids().filter(|&f| first[f] != f) {
+        repeated[first[f]] = true;
+    }
+    let mut parts = Partition::<FaceId>::of_singles(draft.faces.len());
+    let mut branching = Vec::new();
+    for uses in edge_groups(&draft.faces).iter() {
+        let mut different: Vec<FaceId> = uses.iter().map(|&(_, h)| first[h.face()]).collect();
+        different.sort_unstable();
+        different.dedup();
+        let is_branch = different.len() > 2;
+        different.retain(|&f| repeated[f]);
+        different.windows(2).for_each(|w| parts.join(w[0], w[1]));
+        branching.extend(different.first().filter(|_| is_branch));
+    }
+    let mut stays = IdVec::<FaceId, bool>::filled(false, draft.faces.len());
+    for f in branching {
+        stays[parts.part(f)] = true;
+    }
+    let drop = first.ids().map(|f| first[f] != f && !stays[parts.part(first[f])]).collect();
+    report.repeated += draft.drop_faces(&drop);
+}
+
 /// Drops pairs of triangles on each other that are joined along an edge of their own and hang on single triangles by their
 /// other edges: a fold without extent, left by tessellators. What they hang on closes without them.
 pub(super) fn drop_flaps(draft: &mut Draft, report: &mut CleanReport) {
@@ -105,6 +135,15 @@ fn copies(draft: &Draft) -> IdVec<FaceId, usize> {
         }
     }
     copies
+}
+
+/// For every face the first one on its vertices, facing either way.
+fn first_copies(draft: &Draft) -> IdVec<FaceId, FaceId> {
+    let mut first: IdVec<FaceId, FaceId> = draft.faces.ids().collect();
+    for group in groups_by(draft, sorted).chunk_by(|a, b| a.0 == b.0) {
+        group.iter().for_each(|&(_, f)| first[f] = group[0].1);
+    }
+    first
 }
 
 fn sorted(mut f: [VertexId; 3]) -> [VertexId; 3] {

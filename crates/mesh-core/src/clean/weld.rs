@@ -59,13 +59,16 @@ pub(crate) fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
     positions.iter().enumerate().map(merge).collect()
 }
 
+/// A smaller tolerance merges nothing: it is below the rounding of coordinates, and cells of this size could not be numbered.
+const LEAST_SHARE: f64 = 1e-15;
+
 /// Merges every vertex into the nearest earlier one that stands for itself and is within the tolerance, the first of several.
 /// So no vertex moves further than the tolerance.
 fn merge_near(positions: &[DVec3], share: f64, merged: &mut [u32]) {
     let usable = positions.iter().copied().filter(|&p| is_usable(p));
     let Some(bounds) = Bounds::of(usable) else { return };
     let tolerance = share * bounds.diagonal();
-    if !(tolerance > 0.0 && tolerance.is_finite()) {
+    if !(share >= LEAST_SHARE && tolerance > 0.0 && tolerance.is_finite()) {
         return;
     }
     let cell = |p: DVec3| ((p - bounds.min) / tolerance).floor().to_array().map(|x| x as i64);

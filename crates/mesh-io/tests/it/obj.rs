@@ -2,6 +2,7 @@
 
 use crate::{check_refused, document};
 use glam::DVec3;
+use mesh_io::Document;
 use mesh_io::Format::Obj;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -83,7 +84,8 @@ fn layouts_that_files_have() {
         format!("# C:\\dir\\\n{SQUARE}f 1 2 3 \\"),
     ];
     for text in layouts {
-        assert_eq!(document(&text, Obj), plain, "{text:?}");
+        let Document { soup, polygon_of, .. } = document(&text, Obj);
+        assert_eq!((soup, polygon_of), (plain.soup.clone(), plain.polygon_of.clone()), "{text:?}");
     }
     assert_eq!(document([b"o caf\xe9\n", SQUARE.as_bytes(), b"f 1 2 3"].concat(), Obj), plain);
 }
@@ -123,4 +125,11 @@ fn the_error_says_file_line_fault_and_remedy() {
     std::fs::write(&path, "v 0 0 0\nv 0 0 zero\n").unwrap();
     let said = mesh_io::read(&path).unwrap_err().to_string();
     assert_eq!(said, format!("{}:2: \"zero\" is not a number; correct it or export the file again", path.display()));
+}
+
+#[test]
+fn lines_are_chains_of_segments_and_cost_no_mesh() {
+    let document = document(format!("{SQUARE}f 1 2 3 4\nl 1 2/7 -1\nl 3\nl 0 9 x\n"), Obj);
+    assert_eq!(document.lines, [[0, 1], [1, 3], [u32::MAX, 8], [8, u32::MAX]]);
+    assert_eq!(document.soup.triangles.len(), 2);
 }

@@ -133,3 +133,12 @@ fn claims_are_not_believed() {
     let list = "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
     check_refused([list.as_bytes(), &[0xff; 12]].concat(), Ply, None, "face 0 of 1: the file ends here");
 }
+
+#[test]
+fn edges_are_lines() {
+    let edges = "element edge 3\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+    let text = TEXT.replace("end_header\n", edges) + "0 1\n1 -3\n9 0.5\n";
+    let document = document(text, Ply);
+    assert_eq!(document.lines, [[0, 1], [1, u32::MAX], [9, u32::MAX]]);
+    assert_eq!(document.soup.triangles.len(), 3);
+}

@@ -130,7 +130,7 @@ fn colours_go_with_their_faces() {
     let path = directory.path().join("colours.ply");
     let mesh = tetrahedron();
     let colors = [[1, 2, 3], [4, 5, 6], [7, 8, 9], [10, 11, 12]];
-    write_colored_ply(&path, &mesh, &colors).unwrap();
+    write_colored_ply(&path, &mesh, &colors, &[]).unwrap();
     let bytes = fs::read(&path).unwrap();
     assert_eq!(read_bytes(&bytes, Format::Ply).unwrap().soup, mesh.to_soup());
     let row = 1 + 12 + 3;
@@ -140,6 +140,18 @@ fn colours_go_with_their_faces() {
         assert_eq!(bytes[start + 1..start + 5], mesh.face(FaceId(f as u32))[0].0.to_le_bytes());
     }
     assert_eq!(mesh.face(FaceId(3))[0], VertexId(3));
-    let e = write_colored_ply(&path, &mesh, &colors[..3]).unwrap_err();
+    let e = write_colored_ply(&path, &mesh, &colors[..3], &[]).unwrap_err();
     assert!(matches!(e, WriteError::ColorCount { colors: 3, faces: 4 }));
+}
+
+#[test]
+fn coloured_points_come_after_the_vertices() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("points.ply");
+    let mesh = tetrahedron();
+    let point = (DVec3::new(0.5, 0.25, 3.0), [250, 251, 252]);
+    write_colored_ply(&path, &mesh, &[[0; 3]; 4], &[point]).unwrap();
+    let soup = read(&path).unwrap().soup;
+    assert_eq!((&soup.triangles, soup.positions[4]), (&mesh.to_soup().triangles, point.0));
+    assert!(fs::read(&path).unwrap().windows(3).any(|w| w == point.1));
 }

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 const SQUARE: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
 
 /// One chart for every side of a cube: the side's own plane, its inside pushed about so that the chart is not affine.
-fn charts(mesh: &TriMesh) -> (IdVec<ChartId, Chart>, IdVec<FaceId, ChartId>) {
+fn charts(mesh: &TriMesh) -> IdVec<ChartId, Chart> {
     let network = crease_network(mesh, &topology(mesh));
     let chart = |sheet: SheetId| {
         let faces: Vec<FaceId> = mesh.faces().ids().filter(|&f| network.sheet_of_face[f] == sheet).collect();
@@ -31,17 +31,16 @@ fn charts(mesh: &TriMesh) -> (IdVec<ChartId, Chart>, IdVec<FaceId, ChartId>) {
         };
         Chart::new(uv, faces.iter().enumerate().map(piece).collect()).unwrap()
     };
-    let charts = (0..network.n_sheets).map(|s| chart(SheetId::new(s))).collect();
-    (charts, network.sheet_of_face.iter().map(|s| ChartId(s.0)).collect())
+    (0..network.n_sheets).map(|s| chart(SheetId::new(s))).collect()
 }
 
 /// A cube, and its map with two base faces a side: `2 i` and `2 i + 1` in chart `i`.
 fn cube() -> (TriMesh, BaseMap) {
     let mesh = fixtures::cube(4);
-    let (charts, chart_of_face) = charts(&mesh);
+    let charts = charts(&mesh);
     let [a, b, c, d] = SQUARE;
     let base: Vec<_> = charts.ids().flat_map(|chart| [(chart, [a, b, c]), (chart, [a, c, d])]).collect();
-    let map = BaseMap::new(charts, chart_of_face, &base);
+    let map = BaseMap::new(charts, &base);
     (mesh, map)
 }
 
@@ -139,8 +138,8 @@ fn an_edit_must_cover_what_it_replaces() {
 fn a_face_too_small_for_its_weights_is_no_trap() {
     let (mesh, charts) = (fixtures::cube(1), charts(&fixtures::cube(1)));
     let tiny = [DVec2::ZERO, DVec2::X * 1e-200, DVec2::Y * 1e-200];
-    let base: Vec<_> = charts.0.ids().map(|chart| (chart, tiny)).collect();
-    let map = BaseMap::new(charts.0, charts.1, &base);
+    let base: Vec<_> = charts.ids().map(|chart| (chart, tiny)).collect();
+    let map = BaseMap::new(charts, &base);
     let (_, w) = map.find(SurfacePoint::at_corner(FaceId(0), 1)).unwrap();
     assert!(w.is_finite() && map.locate(MapFaceId(0), w).position(&mesh).is_finite());
 }

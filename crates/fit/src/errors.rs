@@ -1,0 +1,118 @@
+//! How far domain and input are apart.
+
+use crate::pairs::{Pair, Pairs};
+use mesh_core::{FaceId, SurfaceIndex, TriMesh};
+use rayon::prelude::*;
+use std::cell::OnceCell;
+
+/// Distances between domain and input, in the units of the mesh: of both directions the greater one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Errors {
+    /// Mean over the area.
+    pub mean: f64,
+    /// The greatest at samples and vertices.
+    pub max: f64,
+}
+
+/// A sheet that lies this much nearer than the own one, as a share of the diagonal, makes a face count as folded in `certify`.
+const HIDDEN: f64 = 1e-4;
+
+/// The true distances of samples: to the closest point anywhere, not only in the sheet. They are never greater than those of the pairs,
+/// and only asked for where it matters.
+pub(crate) struct Truth<'a> {
+    input: &'a TriMesh,
+    domain: &'a TriMesh,
+    input_index: &'a OnceCell<SurfaceIndex>,
+    domain_index: OnceCell<SurfaceIndex>,
+}
+
+impl<'a> Truth<'a> {
+    pub(crate) fn new(input: &'a TriMesh, input_index: &'a OnceCell<SurfaceIndex>, domain: &'a TriMesh) -> Self {
+        Self { input, domain, input_index, domain_index: OnceCell::new() }
+    }
+
+    /// Mean and greatest distance. Where pairs are not sound, the true distance counts.
+    pub(crate) fn errors(&self, pairs: &Pairs) -> Errors {
+        let unsound = self.distances(pairs, |pair| !pair.is_sound);
+        let mean = [&pairs.forward, &pairs.backward].into_iter().zip(unsound).map(|(pairs, unsound)| {
+            let (mut sum, mut area) = (0.0, 0.0);
+            for pair in pairs.iter().filter(|pair| pair.is_sound) {
+                sum += pair.area * pair.distance;
+                area += pair.area;
+            }
+            for (i, _, distance) in unsound {
+                sum += pairs[i].area * distance;
+                area += pairs[i].area;
+            }
+            if area > 0.0 { sum / area } else { 0.0 }
+        });
+        Errors { mean: mean.fold(0.0, f64::max), max: self.greatest(pairs) }
+    }
+
+    /// The domain faces at samples whose true distance is above a limit, in rising order.
+    pub(crate) fn faces_beyond(&self, pairs: &Pairs, limit: f64) -> Vec<FaceId> {
+        let [forward, backward] = self.distances(pairs, |pair| pair.distance > limit);
+        let forward = forward.into_iter().filter(|s| s.2 > limit).map(|(i, _, _)| pairs.forward[i].domain.face);
+        let backward = backward.into_iter().filter(|s| s.2 > limit).map(|(_, face, _)| face);
+        let mut faces: Vec<FaceId> = forward.chain(backward).collect();
+        faces.sort_unstable();
+        faces.dedup();
+        faces
+    }
+
+    /// The domain faces whose normal opposes that of the input at the point closest to their middle, in rising order. Where a sound pair is
+    /// so near that no other sheet can hide it, the input is not asked.
+    pub(crate) fn turned_faces(&self, pairs: &Pairs) -> Vec<FaceId> {
+        let hidden = HIDDEN * self.input.diagonal();
+        let chosen = (0..pairs.forward.len()).filter(|&i| {
+            let pair = &pairs.forward[i];
+            pair.is_middle() && (!pair.is_sound || pair.distance > hidden)
+        });
+        let middle = |i: usize| pairs.forward[i].domain.position(self.domain);
+        let closest = self.measure(chosen.collect(), self.input, self.input_index, middle);
+        let opposed = closest.into_iter().filter_map(|(i, face, _)| {
+            let own = pairs.forward[i].domain.face;
+            (self.domain.normal(own).dot(self.input.normal(face)) < 0.0).then_some(own)
+        });
+        opposed.collect()
+    }
+
+    /// True distances are at most those of the pairs, so only the pairs that are furthest apart need to be asked.
+    fn greatest(&self, pairs: &Pairs) -> f64 {
+        let all = || pairs.forward.iter().chain(&pairs.backward);
+        let (mut greatest, mut above) = (0.0, all().map(|pair| pair.distance).fold(0.0, f64::max));
+        while greatest < above {
+            let least = if above > f64::MIN_POSITIVE { 0.5 * above } else { 0.0 };
+            let distances = self.distances(pairs, |pair| pair.distance > least && pair.distance <= above);
+            greatest = distances.iter().flatten().map(|s| s.2).fold(greatest, f64::max);
+            above = least;
+        }
+        greatest
+    }
+
+    /// The true distances of some pairs of both directions: index of the pair, face that is closest, distance.
+    fn distances(&self, pairs: &Pairs, which: impl Fn(&Pair) -> bool + Sync) -> [Vec<(usize, FaceId, f64)>; 2] {
+        let chosen =
+            [&pairs.forward, &pairs.backward].map(|pairs| (0..pairs.len()).filter(|&i| which(&pairs[i])).collect::<Vec<usize>>());
+        let [forward, backward] = chosen;
+        [
+            self.measure(forward, self.input, self.input_index, |i| pairs.forward[i].domain.position(self.domain)),
+            self.measure(backward, self.domain, &self.domain_index, |i| pairs.backward[i].input.position(self.input)),
+        ]
+    }
+
+    fn measure(
+        &self,
+        chosen: Vec<usize>,
+        to: &TriMesh,
+        index: &OnceCell<SurfaceIndex>,
+        position: impl Fn(usize) -> glam::DVec3 + Sync,
+    ) -> Vec<(usize, FaceId, f64)> {
+        if chosen.is_empty() {
+            return Vec::new();
+        }
+        let index = index.get_or_init(|| SurfaceIndex::new(to));
+        let measured = chosen.into_par_iter().filter_map(|i| index.closest(position(i)).map(|c| (i, c.face, c.distance)));
+        measured.collect()
+    }
+}

@@ -1,0 +1,116 @@
+//! A triangulation under change: flips and splits over twins.
+
+use glam::DVec3;
+use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
+
+/// Positions, faces and twins. Faces and vertices are only added.
+pub(crate) struct Draft {
+    pub(crate) positions: IdVec<VertexId, DVec3>,
+    pub(crate) faces: IdVec<FaceId, [VertexId; 3]>,
+    pub(crate) source: IdVec<FaceId, FaceId>,
+    twins: IdVec<HalfedgeId, Option<HalfedgeId>>,
+}
+
+impl Draft {
+    pub(crate) fn new(mesh: &TriMesh, topology: &Topology) -> Self {
+        let halfedges = mesh.faces().ids().flat_map(|f| topology.halfedges(f));
+        Self {
+            positions: mesh.positions().clone(),
+            faces: mesh.faces().clone(),
+            source: mesh.faces().ids().collect(),
+            twins: halfedges.map(|h| topology.twin(h)).collect(),
+        }
+    }
+
+    /// All halfedges; every edge has one or two.
+    pub(crate) fn halfedges(&self) -> impl Iterator<Item = HalfedgeId> + use<> {
+        self.twins.ids()
+    }
+    pub(crate) fn twin(&self, h: HalfedgeId) -> Option<HalfedgeId> {
+        self.twins[h]
+    }
+    pub(crate) fn from(&self, h: HalfedgeId) -> VertexId {
+        self.faces[h.face()][h.corner()]
+    }
+    pub(crate) fn ends(&self, h: HalfedgeId) -> [VertexId; 2] {
+        [self.from(h), self.from(h.next())]
+    }
+    pub(crate) fn opposite(&self, h: HalfedgeId) -> VertexId {
+        self.from(h.prev())
+    }
+    pub(crate) fn length(&self, h: HalfedgeId) -> f64 {
+        let [a, b] = self.ends(h);
+        self.positions[a].distance(self.positions[b])
+    }
+
+    /// True when some face has an edge between the two vertices; `start` is a halfedge that starts at `a`.
+    pub(crate) fn are_joined(&self, start: HalfedgeId, b: VertexId) -> bool {
+        let joins = |h: HalfedgeId| self.from(h.next()) == b || self.opposite(h) == b;
+        let forward = std::iter::successors(Some(start), |h| self.twins[h.prev()].filter(|&n| n != start));
+        // From a border the fan is cut open: the rest of it lies on the other side of the start.
+        let backward = std::iter::successors(self.twins[start].map(HalfedgeId::next), |h| {
+            self.twins[*h].map(HalfedgeId::next).filter(|&n| n != start)
+        });
+        forward.chain(backward).any(joins)
+    }
+
+    /// Replaces an edge `a -> b` between the faces `a b c` and `b a d` by `c - d`. Returns the four halfedges of the border of the
+    /// two faces; the given halfedge runs from `d` to `c` then.
+    pub(crate) fn flip(&mut self, h: HalfedgeId, twin: HalfedgeId) -> [HalfedgeId; 4] {
+        let [a, b] = self.ends(h);
+        let (c, d) = (self.opposite(h), self.opposite(twin));
+        let [bc, ca, ad, db] = [h.next(), h.prev(), twin.next(), twin.prev()].map(|e| self.twins[e]);
+        // Face of h: d c a; face of the twin: c d b.
+        self.set_face(h, [d, c, a]);
+        self.set_face(twin, [c, d, b]);
+        self.join(h.next(), ca);
+        self.join(h.prev(), ad);
+        self.join(twin.next(), db);
+        self.join(twin.prev(), bc);
+        [h.next(), h.prev(), twin.next(), twin.prev()]
+    }
+
+    /// Halves an edge. Returns the new vertex, and the halfedges of the border of the new faces and of the new edges.
+    pub(crate) fn split(&mut self, h: HalfedgeId) -> (VertexId, Vec<HalfedgeId>) {
+        let [a, b] = self.ends(h);
+        let m = self.positions.push(self.positions[a].midpoint(self.positions[b]));
+        let (first, mut touched) = self.halve_face(h, m);
+        if let Some(twin) = self.twins[h] {
+            let (second, more) = self.halve_face(twin, m);
+            // h runs from a to m now, first from m to b; twin from b to m, second from m to a.
+            self.join(h, Some(second));
+            self.join(twin, Some(first));
+            touched.extend(more);
+        }
+        (m, touched)
+    }
+
+    /// Puts `m` on the edge `h` of one face: `a b c` becomes `a m c`, and `m b c` is new. Returns the new halfedge `m -> b` and
+    /// all others of both faces but those along the edge.
+    fn halve_face(&mut self, h: HalfedgeId, m: VertexId) -> (HalfedgeId, Vec<HalfedgeId>) {
+        let (b, c) = (self.from(h.next()), self.opposite(h));
+        let outer = self.twins[h.next()];
+        self.faces[h.face()][h.next().corner()] = m;
+        let new = self.faces.push([m, b, c]);
+        self.source.push(self.source[h.face()]);
+        (0..3).for_each(|_| _ = self.twins.push(None));
+        let [mb, bc, cm] = [0, 1, 2].map(|c| HalfedgeId::of(new, c));
+        self.join(bc, outer);
+        self.join(cm, Some(h.next()));
+        (mb, vec![h, mb, bc, cm, h.prev()])
+    }
+
+    /// Sets the corners of the face of `h` so that `h` starts at the first of them.
+    fn set_face(&mut self, h: HalfedgeId, corners: [VertexId; 3]) {
+        for (h, v) in [h, h.next(), h.prev()].into_iter().zip(corners) {
+            self.faces[h.face()][h.corner()] = v;
+        }
+    }
+
+    fn join(&mut self, h: HalfedgeId, twin: Option<HalfedgeId>) {
+        self.twins[h] = twin;
+        if let Some(twin) = twin {
+            self.twins[twin] = Some(h);
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! The stage: flips in planes, splits of long edges.
+
+use crate::draft::Draft;
+use glam::DVec3;
+use mesh_core::{FaceId, HalfedgeId, IdVec, MeshError, Topology, TopologyError, TriMesh, VertexId};
+use rustc_hash::FxHashSet;
+use std::collections::BinaryHeap;
+
+/// How far to refine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RefineOptions {
+    /// Edges longer than this are halved, in the units of the mesh, positive. Infinite: none.
+    pub longest_edge: f64,
+    /// Most faces that splitting may lead to; the longest edges come first. Default: four for each input face and 200,000 more.
+    pub most_faces: Option<usize>,
+    /// How far a flip may move the surface, as a share of the diagonal of the box. Default 1e-7: what single precision does to
+    /// planes, and a hundredth of the mean error of a good result.
+    pub flatness: f64,
+}
+
+impl RefineOptions {
+    /// The defaults for a longest edge.
+    pub fn new(longest_edge: f64) -> Self {
+        Self { longest_edge, most_faces: None, flatness: 1e-7 }
+    }
+}
+
+/// The same surface in other triangles.
+#[derive(Clone, Debug)]
+pub struct Refined {
+    /// The mesh. The vertices of the input come first, in their order.
+    pub mesh: TriMesh,
+    /// Its connectivity.
+    pub topology: Topology,
+    /// For every face the input's that it lies in; after flips in a plane, one of those.
+    pub source_face: IdVec<FaceId, FaceId>,
+    /// The marked edges, halved where they were split.
+    pub marked: Vec<[VertexId; 2]>,
+    /// Number of edges flipped.
+    pub flips: usize,
+    /// Number of edges halved.
+    pub splits: usize,
+}
+
+/// Faults of ours: refining keeps a manifold a manifold.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RefineError {
+    /// The refined faces are no mesh.
+    #[error("refining broke the mesh, please report this: {0}")]
+    Mesh(#[from] MeshError),
+    /// The refined faces are no manifold.
+    #[error("refining broke the connectivity, please report this: {0}")]
+    Topology(#[from] TopologyError),
+}
+
+/// Refines a mesh. `marked` edges are never flipped.
+pub fn refine(
+    mesh: &TriMesh,
+    topology: &Topology,
+    marked: &[[VertexId; 2]],
+    options: &RefineOptions,
+) -> Result<Refined, RefineError> {
+    let mut refiner = Refiner {
+        tolerance: options.flatness * mesh.diagonal(),
+        marked: marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect(),
+        draft: Draft::new(mesh, topology),
+        flips: 0,
+        splits: 0,
+    };
+    let all: Vec<HalfedgeId> = refiner.draft.halfedges().collect();
+    refiner.flip_to_delaunay(all);
+    refiner.halve(options.longest_edge, options.most_faces.unwrap_or(4 * mesh.n_faces() + 200_000));
+    refiner.finish()
+}
+
+/// Flips must lessen the sum of both opposite angles below pi by this much, so that rounding cannot make them cycle.
+const ANGLE_MARGIN: f64 = 1e-6;
+/// So many flips an edge are more than any plane needs; in nearly flat places the angles could go round.
+const MOST_FLIPS: usize = 20;
+/// A triangle lower than this share of its longest edge has no normal worth asking for.
+const NO_HEIGHT: f64 = 1e-6;
+
+struct Refiner {
+    draft: Draft,
+    /// Ends in rising order.
+    marked: FxHashSet<[VertexId; 2]>,
+    tolerance: f64,
+    flips: usize,
+    splits: usize,
+}
+
+impl Refiner {
+    /// Lawson's algorithm: flips edges and those around them until all that may be flipped are Delaunay. Returns the
+    /// halfedges that run elsewhere than before.
+    fn flip_to_delaunay(&mut self, mut edges: Vec<HalfedgeId>) -> Vec<HalfedgeId> {
+        edges.reverse();
+        let most = MOST_FLIPS * edges.len();
+        let (mut flips, mut changed) = (0, Vec::new());
+        while let Some(h) = edges.pop() {
+            let Some(twin) = self.draft.twin(h) else { continue };
+            if flips < most && self.may_flip(h, twin) {
+                let around = self.draft.flip(h, twin);
+                edges.extend(around);
+                changed.extend(around);
+                changed.push(h);
+                flips += 1;
+            }
+        }
+        self.flips += flips;
+        changed
+    }
+
+    /// Would the other diagonal be better, and the surface the same?
+    fn may_flip(&self, h: HalfedgeId, twin: HalfedgeId) -> bool {
+        let draft = &self.draft;
+        let [a, b] = draft.ends(h);
+        let (c, d) = (draft.opposite(h), draft.opposite(twin));
+        let [pa, pb, pc, pd] = [a, b, c, d].map(|v| draft.positions[v]);
+        angle(pc, pa, pb) + angle(pd, pa, pb) > std::f64::consts::PI + ANGLE_MARGIN
+            && !self.marked.contains(&[a.min(b), a.max(b)])
+            && is_same_surface([pa, pb, pc, pd], self.tolerance)
+            && c != d
+            && !draft.are_joined(h.prev(), d)
+    }
+
+    /// Halves edges, the longest first, and flips what became possible.
+    fn halve(&mut self, longest: f64, most_faces: usize) {
+        let mut queue: BinaryHeap<(u64, HalfedgeId)> = BinaryHeap::new();
+        let key = |draft: &Draft, h: HalfedgeId| {
+            let length = draft.length(h);
+            (length > longest).then(|| (length.to_bits(), h)) // lengths are not negative: their bits are in order
+        };
+        queue.extend(self.draft.halfedges().filter_map(|h| key(&self.draft, h)));
+        while let Some((bits, h)) = queue.pop() {
+            if self.draft.length(h).to_bits() != bits {
+                continue; // it has been halved or flipped since
+            }
+            if self.draft.faces.len() + 2 > most_faces {
+                break;
+            }
+            let ends = self.draft.ends(h);
+            let (middle, mut changed) = self.draft.split(h);
+            self.mark_halves(ends, middle);
+            self.splits += 1;
+            changed.extend(self.flip_to_delaunay(changed.clone()));
+            queue.extend(changed.into_iter().filter_map(|h| key(&self.draft, h)));
+        }
+    }
+
+    fn mark_halves(&mut self, [a, b]: [VertexId; 2], middle: VertexId) {
+        if self.marked.remove(&[a.min(b), a.max(b)]) {
+            self.marked.extend([[a, middle], [b, middle]]); // new vertices have the highest ids
+        }
+    }
+
+    fn finish(self) -> Result<Refined, RefineError> {
+        let Draft { positions, faces, source, .. } = self.draft;
+        let faces: Vec<[u32; 3]> = faces.iter().map(|f| f.map(|v| v.0)).collect();
+        let mesh = TriMesh::new(positions.into_vec(), faces)?;
+        let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
+        let mut marked: Vec<[VertexId; 2]> = self.marked.into_iter().collect();
+        marked.sort_unstable();
+        Ok(Refined { mesh, topology, source_face: source, marked, flips: self.flips, splits: self.splits })
+    }
+}
+
+/// The angle at `o` in radians.
+fn angle(o: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let (u, v) = (a - o, b - o);
+    u.cross(v).length().atan2(u.dot(v))
+}
+
+/// Do the triangles `a d c` and `d b c` cover what `a b c` and `b a d` do, to the tolerance?
+fn is_same_surface([a, b, c, d]: [DVec3; 4], tolerance: f64) -> bool {
+    let (ab, cd) = (b - a, d - c);
+    let across = ab.cross(cd);
+    let size = across.length();
+    // Both diagonals cross, seen along the normal of the quad: at their distance, the surface moves most.
+    if size <= 0.0 || (c - a).dot(across).abs() > tolerance * size {
+        return false;
+    }
+    let normal = across / -size;
+    let faces_up = |t: [DVec3; 3]| mesh_core::vector_area(t).dot(normal);
+    let has_height = |t: [DVec3; 3]| {
+        let longest = t[0].distance(t[1]).max(t[1].distance(t[2])).max(t[2].distance(t[0]));
+        mesh_core::area(t) > NO_HEIGHT * longest * longest
+    };
+    let old = [[a, b, c], [b, a, d]];
+    let new = [[a, d, c], [d, b, c]];
+    old.into_iter().all(|t| !has_height(t) || faces_up(t) > 0.0) && new.into_iter().all(|t| faces_up(t) > 0.0)
+}

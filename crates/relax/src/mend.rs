@@ -1,0 +1,143 @@
+//! The last folds, one vertex at a time.
+//!
+//! Newton's method sees the surface through its normals at the vertices. Where these change from triangle to triangle (ragged borders,
+//! scan noise) its model means little, and a few triangles stay folded. There the neighbours of a fold try places all around them, and
+//! take the one that leaves the best worst triangle: no derivatives, never a step back.
+
+use crate::domain::{Domain, Freedom};
+use crate::placement::{Placement, Spot};
+use glam::DVec3;
+use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, VertexId, aspect_ratio, normal};
+use rayon::prelude::*;
+
+/// Triangles worse than this (AR, negative when folded) are mended.
+const SOUND: f64 = 0.02;
+/// Beyond this share of folded triangles the map is wrong, not a few vertices.
+const MOST_FOLDED: f64 = 0.01;
+/// Sheets this near to each other, as a share of the diagonal, are in the same place.
+const TOUCHING: f64 = 1e-4;
+/// Passes over all vertices round folds; each takes what the one before made possible.
+const ROUNDS: usize = 20;
+/// Places that a vertex tries: so many directions, at these shares of the mean length of its edges.
+const DIRECTIONS: usize = 12;
+const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
+
+/// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
+pub(crate) fn mend_folds(domain: &Domain, placement: &mut Placement) {
+    let mesh = domain.surface.mesh;
+    let mender = Mender { domain, index: SurfaceIndex::new(mesh), diagonal: mesh.diagonal() };
+    for _ in 0..ROUNDS {
+        let folds = mender.folds(placement);
+        if folds.is_empty() || folds.len() as f64 > MOST_FOLDED * domain.topology.n_faces() as f64 {
+            return;
+        }
+        let moved = mender.around(&folds).into_iter().filter(|&v| mender.improve(placement, v)).count();
+        if moved == 0 {
+            return;
+        }
+    }
+}
+
+struct Mender<'a> {
+    domain: &'a Domain<'a>,
+    index: SurfaceIndex,
+    diagonal: f64,
+}
+
+/// The worst of the triangles round a vertex, then the sum of all.
+type Score = (f64, f64);
+
+impl Mender<'_> {
+    /// All triangles that are not sound.
+    fn folds(&self, placement: &Placement) -> Vec<FaceId> {
+        let quality = |f: FaceId| self.in_sight_of_surface(placement, f, signed_quality(self.domain, placement, f));
+        self.domain.faces().into_par_iter().filter(|&f| quality(f) < SOUND).collect()
+    }
+
+    /// The vertices of some faces and their neighbours.
+    fn around(&self, faces: &[FaceId]) -> Vec<VertexId> {
+        let topology = self.domain.topology;
+        let corners = faces.iter().flat_map(|&f| topology.face(f));
+        let mut vertices: Vec<VertexId> = corners.flat_map(|v| topology.one_ring(v).chain([v])).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
+    /// Moves a vertex to the best place that it finds; false where it stays.
+    fn improve(&self, placement: &mut Placement, v: VertexId) -> bool {
+        if matches!(self.domain.freedoms[v], Freedom::Fixed) {
+            return false;
+        }
+        let start = placement[v];
+        let (mut best, mut best_spot) = (self.score(placement, v), None);
+        for way in self.ways(placement, v, &start) {
+            placement.move_to(v, start);
+            let spot = self.domain.displaced(placement, v, way);
+            placement.move_to(v, spot);
+            // What the surface says can only lower the score, and takes longest to ask.
+            if self.score_by_corners(placement, v) > best {
+                let score = self.score(placement, v);
+                if score > best {
+                    (best, best_spot) = (score, Some(spot));
+                }
+            }
+        }
+        placement.move_to(v, best_spot.unwrap_or(start));
+        best_spot.is_some()
+    }
+
+    /// Displacements to try: to the middle of the neighbours, and all around in the tangent plane.
+    fn ways(&self, placement: &Placement, v: VertexId, spot: &Spot) -> Vec<DVec3> {
+        let ring: Vec<DVec3> = self.domain.topology.one_ring(v).map(|w| placement[w].position - spot.position).collect();
+        let n = ring.len().max(1) as f64;
+        let reach = ring.iter().map(|w| w.length()).sum::<f64>() / n;
+        let up = (spot.normals[0] + spot.normals[1]).try_normalize().unwrap_or(DVec3::Z);
+        let (x, y) = up.any_orthonormal_pair();
+        let direction = |i: usize| {
+            let (sin, cos) = (i as f64 * std::f64::consts::TAU / DIRECTIONS as f64).sin_cos();
+            cos * x + sin * y
+        };
+        let around = REACHES.iter().flat_map(|r| (0..DIRECTIONS).map(move |i| *r * reach * direction(i)));
+        std::iter::once(ring.iter().sum::<DVec3>() / n).chain(around).collect()
+    }
+
+    /// The score of a vertex, as far as the normals at the corners of its triangles tell.
+    fn score_by_corners(&self, placement: &Placement, v: VertexId) -> Score {
+        self.worst_and_sum(v, |f| signed_quality(self.domain, placement, f))
+    }
+
+    fn score(&self, placement: &Placement, v: VertexId) -> Score {
+        self.worst_and_sum(v, |f| self.in_sight_of_surface(placement, f, signed_quality(self.domain, placement, f)))
+    }
+
+    fn worst_and_sum(&self, v: VertexId, quality: impl Fn(FaceId) -> f64) -> Score {
+        let faces = self.domain.topology.fan(v).map(HalfedgeId::face);
+        faces.map(quality).fold((f64::INFINITY, 0.0), |(worst, sum), q| (q.min(worst), sum + q))
+    }
+
+    /// The quality, made negative where the triangle faces against the surface nearest to its middle: it bridges a slit.
+    fn in_sight_of_surface(&self, placement: &Placement, f: FaceId, quality: f64) -> f64 {
+        let triangle = placement.triangle(self.domain, f);
+        let (own, middle) = (normal(triangle), (triangle[0] + triangle[1] + triangle[2]) / 3.0);
+        let opposes = |g: FaceId| self.domain.surface.mesh.normal(g).dot(own) < 0.0;
+        match self.index.closest(middle) {
+            Some(nearest) if quality > 0.0 && opposes(nearest.face) && !self.touches(middle, nearest.distance, opposes) => {
+                -quality
+            }
+            _ => quality,
+        }
+    }
+
+    /// Is there another sheet in the same place that does not oppose?
+    fn touches(&self, middle: DVec3, distance: f64, opposes: impl Fn(FaceId) -> bool) -> bool {
+        let reach = distance + TOUCHING * self.diagonal;
+        self.index.closest_where(middle, |g| !opposes(g)).is_some_and(|other| other.distance <= reach)
+    }
+}
+
+/// AR of a face, negative where it faces against the surface at its corners.
+fn signed_quality(domain: &Domain, placement: &Placement, f: FaceId) -> f64 {
+    let quality = aspect_ratio(placement.triangle(domain, f));
+    if placement.signed_area(domain, f) > 0.0 { quality } else { -quality }
+}

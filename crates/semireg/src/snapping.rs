@@ -1,0 +1,64 @@
+//! The relaxed domain hung on bends and minor creases, as far as its triangles bear it.
+
+use crate::Error;
+use mesh_core::Topology;
+use region_map::{Network, SheetNormals, Surface};
+use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
+use snap::{LetGo, SnapOptions};
+
+/// Newton steps after snapping: it moves few vertices, and from a relaxed start.
+const STEPS: usize = 4;
+const UNTANGLING_STEPS: usize = 8;
+/// So often what came out poor is let go, and the rest snapped anew.
+const ROUNDS: usize = 3;
+
+/// A relaxed domain, and the network that it hangs on.
+pub(crate) struct Settled {
+    pub(crate) network: Network,
+    pub(crate) normals: SheetNormals,
+    pub(crate) relaxed: Relaxed,
+    /// Bends and pieces of minor creases that it was snapped to.
+    pub(crate) snapped: [usize; 2],
+    /// What did not go as usual.
+    pub(crate) warning: Option<String>,
+}
+
+/// Snaps the domain to bends and minor creases and relaxes it again; as it was where there are none, where all came out poor,
+/// where more triangles are inverted than before, or where it fails.
+pub(crate) fn settle(surface: &Surface, relaxed: Relaxed, topology: &Topology, options: &RelaxOptions) -> Settled {
+    let warning = match snapped(surface, &relaxed, topology, options) {
+        Ok(Some(settled)) => return settled,
+        Ok(None) => None,
+        Err(e) => Some(format!("bends and minor creases were left as they came out: {e}")),
+    };
+    let (network, normals) = (surface.network.clone(), surface.normals.clone());
+    Settled { network, normals, relaxed, snapped: [0, 0], warning }
+}
+
+fn snapped(surface: &Surface, relaxed: &Relaxed, topology: &Topology, options: &RelaxOptions) -> Result<Option<Settled>, Error> {
+    let few_steps = RelaxOptions {
+        quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
+        shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
+    };
+    let snap_options = SnapOptions::default();
+    let mut let_go = LetGo::default();
+    for _ in 0..ROUNDS {
+        let snapped = snap::snap(surface, &relaxed.mesh, topology, &relaxed.map, &let_go, &snap_options)?;
+        if snapped.is_unchanged() {
+            return Ok(None);
+        }
+        let mut again = relax::relax(&snapped.surface(surface), &snapped.mesh, topology, &snapped.map, &few_steps)?;
+        let poor = snapped.poor(topology, &relaxed.mesh, &again.mesh, &snap_options);
+        if poor == LetGo::default() {
+            let RelaxReport { end, shape_steps, .. } = again.report;
+            again.report = RelaxReport { end, shape_steps: relaxed.report.shape_steps + shape_steps, ..relaxed.report };
+            let counts = [snapped.bends.len(), snapped.tracks.len()];
+            let (network, normals) = (snapped.network, snapped.normals);
+            let settled = Settled { network, normals, relaxed: again, snapped: counts, warning: None };
+            return Ok((end.inverted <= relaxed.report.end.inverted).then_some(settled));
+        }
+        let_go.bends.extend(poor.bends);
+        let_go.minor.extend(poor.minor);
+    }
+    Ok(None)
+}

@@ -1,0 +1,41 @@
+//! Vertices around those that were snapped go along, less and less with the distance.
+
+use crate::claims::Claims;
+use glam::DVec3;
+use mesh_core::{VertexId, walk};
+use region_map::{Attachment, RegionMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Rings of vertices that are dragged, and rounds of averaging: most snapped vertices move by less than half an edge length.
+const RINGS: usize = 4;
+const ROUNDS: usize = 12;
+
+/// Moves the vertices inside sheets around those whose points in `map` are not where the domain has them.
+pub(crate) fn drag(claims: &Claims, map: &mut RegionMap) {
+    let (surface, domain, topology) = (claims.surface, claims.domain, claims.topology);
+    let target = |v: VertexId| map.points[v].position(surface.mesh) - domain.position(v);
+    let snapped = claims.pins.values().copied().chain(claims.tracks.iter().flat_map(|t| t.path.iter().copied()));
+    let snapped: BTreeMap<VertexId, DVec3> = snapped.map(|v| (v, target(v))).collect();
+    let mut reached: BTreeSet<VertexId> = snapped.keys().copied().collect();
+    for _ in 0..RINGS {
+        let next: Vec<VertexId> = reached.iter().flat_map(|&v| topology.one_ring(v)).collect();
+        reached.extend(next);
+    }
+    let is_free = |v: &VertexId| !snapped.contains_key(v) && matches!(map.attachments[*v], Attachment::Sheet(_));
+    let free: Vec<VertexId> = reached.into_iter().filter(is_free).collect();
+    let mut ways = snapped.clone();
+    for _ in 0..ROUNDS {
+        let mean = |v: VertexId| {
+            let (n, sum) = topology
+                .one_ring(v)
+                .fold((0, DVec3::ZERO), |(n, sum), w| (n + 1, sum + ways.get(&w).copied().unwrap_or_default()));
+            sum / f64::from(n.max(1))
+        };
+        let means: Vec<(VertexId, DVec3)> = free.iter().map(|&v| (v, mean(v))).collect();
+        ways.extend(means);
+    }
+    let may_cross = |e| !surface.network.is_barrier(e);
+    for v in free {
+        map.points[v] = walk(surface.mesh, surface.topology, map.points[v], ways[&v], may_cross).end;
+    }
+}

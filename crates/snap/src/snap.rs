@@ -1,0 +1,121 @@
+//! The verb of this crate: the network at the resolution of the finest level, and the domain hung on it.
+
+use crate::bends::bends;
+use crate::claims::Claims;
+use crate::minor::pieces;
+use crate::retarget::retarget;
+use crate::{SnapError, SnapOptions};
+use mesh_core::{EdgeId, FaceId, HalfedgeId, Topology, TriMesh, VertexId, aspect_ratio};
+use region_map::{ArcKind, Network, RegionMap, SheetNormals, Surface};
+use std::collections::BTreeSet;
+
+/// Once bends have taken vertices, the edges beside them may leave the arc at the next one.
+const BEND_ROUNDS: usize = 3;
+/// A triangle may keep this share of the quality that was the worst around.
+const MOST_LOSS: f64 = 0.9;
+
+/// What shall not be snapped to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LetGo {
+    /// Bends, by their vertices of the working mesh.
+    pub bends: BTreeSet<VertexId>,
+    /// Edges of minor creases.
+    pub minor: BTreeSet<EdgeId>,
+}
+
+/// A domain hung on a finer network.
+#[derive(Clone, Debug)]
+pub struct Snapped {
+    /// The network with minor creases as arcs, and bends and the ends of these arcs as corners.
+    pub network: Network,
+    /// One-sided normals of the working mesh with that network.
+    pub normals: SheetNormals,
+    /// The domain at its new points. Some of its triangles may be folded until it is relaxed.
+    pub mesh: TriMesh,
+    /// The domain on the finer network.
+    pub map: RegionMap,
+    /// Bends with the domain vertices that they took.
+    pub bends: Vec<(VertexId, VertexId)>,
+    /// Pieces of minor creases, as edges of the working mesh, with the path of domain vertices along each.
+    pub tracks: Vec<(Vec<EdgeId>, Vec<VertexId>)>,
+}
+
+/// Hangs a relaxed domain on the bends of arcs and on the minor creases that its edges can follow.
+///
+/// A bend takes the nearer end of the edge that cuts it off. A minor crease takes a path of edges inside its sheet, one for each
+/// piece between its ends, sharp turns and meetings with arcs. The vertices around are dragged along. What turns too much for the
+/// edges, and what finds no path, is left as it was; so is what is in `let_go`.
+///
+/// The map of the result fits its network (`RegionMap::check`). The caller has to relax it there, and may ask [`Snapped::poor`]
+/// what was not worth it.
+pub fn snap(
+    surface: &Surface,
+    domain: &TriMesh,
+    topology: &Topology,
+    map: &RegionMap,
+    let_go: &LetGo,
+    options: &SnapOptions,
+) -> Result<Snapped, SnapError> {
+    map.check(topology, surface.network)?;
+    let mut claims = Claims::new(surface, domain, topology, map);
+    let (mut taken, mut tracks) = (Vec::new(), Vec::new());
+    if keeps_its_creases(surface, options.least_kept) {
+        for _ in 0..BEND_ROUNDS {
+            for bend in bends(surface, &claims.spans, options).into_iter().filter(|v| !let_go.bends.contains(v)) {
+                taken.extend(claims.pin_on_arc(bend).map(|v| (bend, v)));
+            }
+        }
+        let chains = surface.network.minor.iter();
+        for piece in chains.flat_map(|chain| pieces(surface, chain, claims.edge_length(), let_go, options)).collect::<Vec<_>>() {
+            tracks.extend(claims.follow(&piece).map(|path| (piece.edges, path)));
+        }
+    }
+    let (network, normals, mesh, map) = retarget(&claims)?;
+    Ok(Snapped { network, normals, mesh, map, bends: taken, tracks })
+}
+
+/// Does the network keep this share of the length of all creases? Where there are none it does.
+fn keeps_its_creases(surface: &Surface, share: f64) -> bool {
+    let Network { arcs, minor, .. } = surface.network;
+    let kept: f64 = arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(|arc| arc.length()).sum();
+    let length = |chain: &[VertexId]| -> f64 { chain.windows(2).map(|w| surface.mesh.distance(w[0], w[1])).sum() };
+    let left: f64 = minor.iter().map(|chain| length(chain)).sum();
+    kept >= share * (kept + left)
+}
+
+impl Snapped {
+    /// True when nothing was snapped to.
+    pub fn is_unchanged(&self) -> bool {
+        self.bends.is_empty() && self.tracks.is_empty()
+    }
+
+    /// The surface with the finer network.
+    pub fn surface<'a>(&'a self, surface: &Surface<'a>) -> Surface<'a> {
+        Surface { network: &self.network, normals: &self.normals, ..*surface }
+    }
+
+    /// What came out poor: triangles beside it have turned over, or have less quality than the bound of the options and than
+    /// the worst there before. Of a piece of a minor crease that is the half beside such triangles, or both.
+    ///
+    /// `before` and `after` are the domain before snapping, and relaxed after it.
+    pub fn poor(&self, topology: &Topology, before: &TriMesh, after: &TriMesh, options: &SnapOptions) -> LetGo {
+        let is_poor = |vertices: &[VertexId]| {
+            let star: BTreeSet<FaceId> = vertices.iter().flat_map(|&v| topology.fan(v)).map(HalfedgeId::face).collect();
+            let worst = |mesh: &TriMesh| star.iter().map(|&f| aspect_ratio(mesh.triangle(f))).fold(f64::INFINITY, f64::min);
+            let turned = |&f: &FaceId| before.normal(f).dot(after.normal(f)) <= 0.0;
+            star.iter().any(turned) || worst(after) < options.least_quality.min(MOST_LOSS * worst(before))
+        };
+        let bends = self.bends.iter().filter(|(_, v)| is_poor(&[*v])).map(|&(bend, _)| bend).collect();
+        let mut minor = BTreeSet::new();
+        for (edges, path) in &self.tracks {
+            let ([first, second], [start, end]) = (halves(edges), halves(path));
+            minor.extend(first.iter().filter(|_| is_poor(start)).chain(second.iter().filter(|_| is_poor(end))));
+        }
+        LetGo { bends, minor }
+    }
+}
+
+/// Both halves of a list, the one in the middle in both.
+fn halves<T>(list: &[T]) -> [&[T]; 2] {
+    [&list[..list.len().div_ceil(2)], &list[list.len() / 2..]]
+}

@@ -1,0 +1,36 @@
+//! A base mesh from elsewhere (from decimation, clustering, by hand) becomes a base mesh of a surface.
+//!
+//! Its vertices are attached to the corners, arcs and sheets of a network as far as its edges follow it; its other edges are traced
+//! over the working mesh as paths that do not cross (Praun, Sweldens and Schröder, *Consistent mesh parameterizations*, 2001: a
+//! spanning tree first, every path between its neighbours in the order round a vertex). Then every base face is a disk on the
+//! surface, and its chart a triangle.
+//!
+//! ```
+//! use mesh_core::{FaceId, Topology};
+//!
+//! // A cube of 768 triangles, and one of 12 for its base mesh.
+//! let (mesh, base) = (fixtures::cube(8), fixtures::cube(1));
+//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
+//! let network = features::detect(&mesh, &topology, &Default::default())?;
+//! let traced = trace_base::trace(&mesh, &topology, &network, &base)?;
+//! assert_eq!(traced.untraced, None);
+//! assert_eq!((traced.network.corners.len(), traced.base.map.charts().len()), (8, 12));
+//! let point = traced.base.locate(FaceId(5), glam::DVec3::ONE / 3.0);
+//! let there = (point.position(&mesh), mesh.normal(point.face));
+//! assert!((there.0 - base.centroid(FaceId(5))).dot(there.1).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod attach;
+mod charts;
+mod cut_mesh;
+mod error;
+mod follow;
+mod foreign;
+mod path;
+mod place;
+mod polyline;
+mod trace;
+
+pub use error::{TraceError, Untraced};
+pub use trace::{Traced, trace};
