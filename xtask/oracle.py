@@ -35,6 +35,14 @@ def load(path):
     return np.array([w[:3] for w in body[:n_vertices]], float), np.array(faces, int)
 
 
+def sound(vertices, faces):
+    """Without the triangles that cleaning drops: libigl does not survive bad indices and infinite coordinates."""
+    faces = faces[((faces >= 0) & (faces < len(vertices))).all(axis=1)]
+    faces = faces[np.isfinite(vertices[faces]).all(axis=(1, 2))]
+    used, faces = np.unique(faces, return_inverse=True)
+    return vertices[used], faces.reshape(-1, 3)
+
+
 def sample(vertices, faces, random):
     """Points spread evenly by area."""
     a, b, c = (vertices[faces[:, i]] for i in range(3))
@@ -62,4 +70,4 @@ def measure(original, remeshed):
 
 
 jobs = json.load(open(sys.argv[1]))
-print(json.dumps({job["name"]: measure(load(job["input"]), load(job["output"])) for job in jobs}))
+print(json.dumps({job["name"]: measure(sound(*load(job["input"])), sound(*load(job["output"]))) for job in jobs}))

@@ -131,7 +131,7 @@ fn bases(remesher: &Remesher, python: Option<&Path>, folder: &Path, case: &Case)
         let outcome = remesher.run(&Request { base: Some(path), base_vertices: None, ..request })?;
         Ok(cells(&outcome, &[&case.input, path]))
     };
-    let given_back = match remesher.base(&request)? {
+    let given_back = match remesher.base(&request, f64::INFINITY)? {
         Outcome::Remeshed { output, .. } => by_base(&output)?,
         none => cells(&none, &[&case.input]),
     };

@@ -50,9 +50,6 @@ pub(crate) enum Outcome {
 /// Time after which a run counts as a hang.
 pub(crate) const LIMIT: Duration = Duration::from_secs(300);
 
-/// How far a point may be off after a way through the base map and back, as a share of the diagonal.
-const MAX_ROUND_TRIP: f64 = 1e-9;
-
 /// Column names of [`Outcome::row`].
 pub(crate) const HEADER: &str =
     "model                     status    asked   made       v     ar    p01   agl  err mean   err max  cover  flip  seconds";
@@ -81,10 +78,11 @@ impl Remesher {
         })
     }
 
-    /// Makes the base mesh alone and checks it and its map to the input.
-    pub(crate) fn base(&self, request: &Request) -> Result<Outcome> {
+    /// Makes the base mesh alone and checks it and its map to the input: after a way there and back points may be off by
+    /// `max_round_trip`, a share of the diagonal.
+    pub(crate) fn base(&self, request: &Request, max_round_trip: f64) -> Result<Outcome> {
         self.call("base", request, &[], "0", |report| match report["round_trip"].as_f64() {
-            Some(error) if error <= MAX_ROUND_TRIP => None,
+            Some(error) if error <= max_round_trip => None,
             error => Some(format!("the base map brings points back {:.1e} of the diagonal off", error.unwrap_or(f64::NAN))),
         })
     }

@@ -17,6 +17,8 @@ pub(crate) struct PatchChart {
 
 /// A chart shrinks a part of a patch where its scale is below this share of the mean scale.
 const SHRUNK: f64 = 0.25;
+/// Never accepted: a scale so small that points of the piece do not find back through the chart in double precision.
+const COLLAPSED: f64 = 1e-8;
 
 /// Charts a patch, `None` where it can't be laid flat well enough. `on_arcs` gives the sites of every arc (arc length and base vertex), `corner` the base vertex of a cell corner.
 pub(crate) fn chart(
@@ -47,23 +49,36 @@ pub(crate) fn chart(
     for weights in [Weights::Cotangent, Weights::Uniform] {
         let uv = tutte::solve(&pieces.positions, &pieces.pieces, &fixed, weights);
         let Ok(chart) = Chart::new(uv, pieces.pieces.clone()) else { continue };
-        if patch.faces.len() == 1 || shrunk_share(&pieces, &chart) <= max_shrunk {
+        let scales = Scales::of(&pieces, &chart);
+        if patch.faces.len() == 1 || (scales.shrunk <= max_shrunk && scales.least >= COLLAPSED) {
             return Some(PatchChart { chart, border: corners });
         }
     }
     None
 }
 
-/// The share of the patch's area that the chart shrinks below [`SHRUNK`] of the mean scale.
-fn shrunk_share(pieces: &PieceMesh, chart: &Chart) -> f64 {
-    let areas = |f: &ChartFace| {
-        let [a, b, c] = f.vertices.map(|v| chart.uv()[v as usize]);
-        (mesh_core::area(f.vertices.map(|v| pieces.positions[v as usize])), 0.5 * (b - a).perp_dot(c - a))
-    };
-    let both: Vec<(f64, f64)> = chart.faces().iter().map(areas).collect();
-    let (area, flat) = both.iter().fold((0.0, 0.0), |sum, b| (sum.0 + b.0, sum.1 + b.1));
-    let is_shrunk = |&&(a, f): &&(f64, f64)| f * area < SHRUNK * a * flat;
-    both.iter().filter(is_shrunk).map(|b| b.0).sum::<f64>() / area
+/// How a chart scales areas, relative to its mean scale.
+struct Scales {
+    /// The share of the patch's area that is shrunk below [`SHRUNK`].
+    shrunk: f64,
+    /// The least scale of any piece.
+    least: f64,
+}
+
+impl Scales {
+    fn of(pieces: &PieceMesh, chart: &Chart) -> Self {
+        let areas = |f: &ChartFace| {
+            let [a, b, c] = f.vertices.map(|v| chart.uv()[v as usize]);
+            (mesh_core::area(f.vertices.map(|v| pieces.positions[v as usize])), 0.5 * (b - a).perp_dot(c - a))
+        };
+        let both: Vec<(f64, f64)> = chart.faces().iter().map(areas).collect();
+        let (area, flat) = both.iter().fold((0.0, 0.0), |sum, b| (sum.0 + b.0, sum.1 + b.1));
+        let scale = |&(a, f): &(f64, f64)| f * area / (a * flat);
+        let shrunk = both.iter().filter(|b| scale(b) < SHRUNK).map(|b| b.0).sum::<f64>() / area;
+        // A piece without area is a needle on the surface too.
+        let least = both.iter().filter(|b| b.0 > 0.0).map(scale).fold(f64::INFINITY, f64::min);
+        Self { shrunk, least }
+    }
 }
 
 /// A vertex on the border of the pieces.

@@ -21,8 +21,8 @@ pub(super) struct Pair {
 const PACKAGES: [&str; 2] = ["numpy==2.4.6", "libigl==2.6.3"];
 
 /// How far two measurements by different random points may differ, as a share. Measured on the fixtures: means by 1 %, root mean
-/// squares by 2 %; the greatest, where it is the tip of a spike between vertices, by 31 %.
-const NOISE: [(&str, f64); 3] = [("err_mean", 0.03), ("err_rms", 0.05), ("err_max", 0.50)];
+/// squares by 2 %, 7 % where few samples fall on the one bad place (brick_small); the greatest, where it is the tip of a spike between vertices, by 31 %.
+const NOISE: [(&str, f64); 3] = [("err_mean", 0.03), ("err_rms", 0.10), ("err_max", 0.50)];
 /// Below this share of the diagonal differences are rounding.
 const ROUNDING: f64 = 1e-9;
 
