@@ -46,7 +46,10 @@ const LADDER: [Rung; 8] = [
 
 /// Once rungs of the ladder with this many triangles in all have failed, no further one is tried. Two cores make
 /// 9,000 (mech-holes-shark, six rungs) to 15,000 triangles (fandisk) a second, so this is about a minute, and then the last rung's own.
-const MOST_FAILED: u64 = 500_000;
+const MOST_FAILED: u64 = 300_000;
+/// So many results that are folded for the most part end the climb: untangling them takes longest, and none was ever mended by a later
+/// rung (office_chair, DamagedHelmet, 2CylinderEngine).
+const MOST_FOLDED: usize = 1;
 
 /// A result that misses the input by more than this share of a base edge somewhere has lost a part of it. Measured: good results
 /// miss by .01 (fandisk) to .16 (casting); a camel without one fold of its mouth by .5.
@@ -56,9 +59,9 @@ const LOST: f64 = 0.25;
 /// that misses least is returned when all rungs are done.
 pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
     let (mut warnings, mut first_failure, mut passed) = (Vec::new(), None, None);
-    let (mut triangles, mut needed) = (0, 0);
+    let (mut triangles, mut needed, mut folded) = (0, 0, 0);
     for rung in &LADDER {
-        if triangles > MOST_FAILED {
+        if triangles > MOST_FAILED || folded >= MOST_FOLDED {
             break;
         }
         let result = base_stages(input, options, rung, needed, seconds).and_then(|stages| {
@@ -79,6 +82,7 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
                 }
             }
             Err(e @ (Error::NotCertified(_) | Error::Folded { .. } | Error::Base(_))) => {
+                folded += usize::from(matches!(e, Error::Folded { .. }));
                 warnings.push(failed_rung(rung, &e));
                 first_failure.get_or_insert(e);
             }

@@ -39,7 +39,7 @@ pub struct Remeshed {
 /// Triangles of a result beyond which it is refused: it would take hours and tens of gigabytes.
 pub const MAX_TRIANGLES: u64 = 50_000_000;
 /// A result with a greater share of folded triangles is not worth a certificate.
-const HOPELESS: f64 = 0.1;
+const HOPELESS: f64 = 0.04;
 
 /// Remeshes a soup of triangles: all stages, then the certificate. Nothing is returned that does not pass it.
 ///
