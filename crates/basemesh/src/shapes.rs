@@ -1,7 +1,7 @@
 //! Segmented shapes for the tests of this crate.
 
 use crate::{BaseOptions, build};
-use mesh_core::{FaceId, Id, IdVec, Topology, TriMesh};
+use mesh_core::{FaceId, Topology, TriMesh};
 use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation, SheetNormals, Sizing, Surface};
 use segment_cvt::{CvtOptions, sample};
 
@@ -18,11 +18,7 @@ impl Shape {
     /// Creases above 40 degrees; patches are the connected parts of equal labels.
     pub(crate) fn new(mesh: TriMesh, label: impl Fn(&TriMesh, FaceId) -> u32) -> Self {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let kind = |e| match topology.edge_faces(e) {
-            (_, None) => Some(ArcKind::Border),
-            (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
-        };
-        let kinds = topology.edge_ids().map(kind).collect();
+        let kinds = ArcKind::by_angle(&mesh, &topology, 40.0);
         let network = Network::trace(&mesh, &topology, &kinds, |_| false, Vec::new());
         let same = |e| topology.edge_faces(e).1.is_some_and(|g| label(&mesh, topology.edge_faces(e).0) == label(&mesh, g));
         let (patches, n_patches) = topology.regions(|e| kinds[e].is_none() && same(e));
@@ -80,17 +76,6 @@ impl Shape {
         build(&self.surface(), &self.cells, &sampled.sites, &sizing, &options).unwrap()
     }
 
-    /// Points spread over the surface.
-    pub(crate) fn points(&self, n: usize) -> Vec<mesh_core::SurfacePoint> {
-        (0..n)
-            .map(|i| {
-                let s = |k: f64| (i as f64 * k + 0.37).fract();
-                let face = FaceId::new((s(0.754_877_666) * self.mesh.n_faces() as f64) as usize);
-                mesh_core::SurfacePoint::new(face, glam::DVec3::new(s(0.618_034), s(0.569_84), s(0.245_12)))
-            })
-            .collect()
-    }
-
     /// Everything that a base mesh promises.
     pub(crate) fn check(&self, base: &BaseMesh) {
         let topology = Topology::new(base.mesh.faces(), base.mesh.n_vertices()).unwrap();
@@ -101,23 +86,8 @@ impl Shape {
         assert_simplicial(&base.mesh);
         let kept: f64 = base.region.spans.values().map(|s| (s.to - s.from).abs()).sum();
         assert!((kept - self.network.total_length()).abs() < 1e-9 * kept.max(1.0), "every arc lies on base edges");
-        self.check_round_trip(base);
-    }
-
-    fn check_round_trip(&self, base: &BaseMesh) {
-        let present: IdVec<region_map::MapFaceId, FaceId> = {
-            let most = base.map_faces.iter().map(|m| m.index()).max().unwrap_or(0);
-            let mut of = IdVec::filled(FaceId(u32::MAX), most + 1);
-            base.map_faces.enumerate().for_each(|(f, &m)| of[m] = f);
-            of
-        };
-        for point in self.points(200) {
-            let (face, weights) = base.map.find(point).unwrap();
-            assert_ne!(present[face], FaceId(u32::MAX), "find ends in a face that is present");
-            let back = base.map.locate(face, weights).position(&self.mesh);
-            let error = back.distance(point.position(&self.mesh)) / self.mesh.diagonal();
-            assert!(error <= 1e-9, "round trip is off by {error:e} of the diagonal");
-        }
+        let error = base.round_trip_error(&self.mesh, 200);
+        assert!(error <= 1e-9, "round trip is off by {error:e} of the diagonal");
     }
 }
 

@@ -68,7 +68,7 @@ impl BaseReport {
             base_vertices: (&stages.base.counts).into(),
             cells: stages.cell_counts().into(),
             crease_length: stages.crease_length().into(),
-            round_trip: stages.round_trip_error(ROUND_TRIPS),
+            round_trip: stages.base.round_trip_error(&stages.working.mesh, ROUND_TRIPS),
             figures: Figures::new(&measures, |t| t.indexed),
             seconds: based.seconds.0.clone(),
         })

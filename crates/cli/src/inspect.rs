@@ -6,7 +6,7 @@ use crate::print::{self, Table};
 use crate::report::repairs;
 use anyhow::Context as _;
 use features::FeatureOptions;
-use mesh_core::{CleanOptions, Cleaned, Inspection, TriMesh, VertexId};
+use mesh_core::{CleanOptions, Cleaned, Inspection};
 use mesh_io::Document;
 use region_map::ArcKind;
 use serde::Serialize;
@@ -123,18 +123,13 @@ fn features(cleaned: &Cleaned) -> anyhow::Result<Features> {
     let strong = FeatureOptions::default().strong_angle;
     let options = FeatureOptions { weak_angle: strong, base_edge_length: 0.0, ..FeatureOptions::default() };
     let network = features::detect(&cleaned.mesh, &cleaned.topology, &options)?;
-    let length = |kind| network.arcs.iter().filter(|arc| arc.kind == kind).map(|arc| arc.length()).sum::<f64>();
-    let minor: f64 = network.minor.iter().map(|chain| chain_length(&cleaned.mesh, chain)).sum();
+    let [kept, minor] = network.crease_lengths(&cleaned.mesh);
     Ok(Features {
-        crease_length: length(ArcKind::Sharp) + minor,
-        border_length: length(ArcKind::Border),
+        crease_length: kept + minor,
+        border_length: network.arcs.iter().filter(|arc| arc.kind == ArcKind::Border).map(|arc| arc.length()).sum(),
         arcs: network.arcs.len(),
         corners: network.corners.len(),
     })
-}
-
-fn chain_length(mesh: &TriMesh, chain: &[VertexId]) -> f64 {
-    chain.windows(2).map(|w| mesh.distance(w[0], w[1])).sum()
 }
 
 fn table(inspected: &Inspected) -> Table {

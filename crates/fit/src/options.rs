@@ -3,7 +3,7 @@
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitOptions {
-    /// Rounds in which vertices slide over the surface as well as rise; 0 for offsets alone. Default 3.
+    /// Rounds in which vertices slide over the surface as well as rise; 0 for offsets alone. Default 2.
     pub slides: usize,
     /// Rounds after them in which vertices only rise. Default 1; 0 in both leaves the mesh as it is.
     pub rises: usize,

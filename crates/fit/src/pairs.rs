@@ -59,7 +59,7 @@ impl Pairs {
                 first_pair(input, domain, &starts, sample, area)
             })
         };
-        let mut forward: Vec<Pair> = faces.into_par_iter().flat_map_iter(on_face).collect();
+        let mut forward = faces.into_par_iter().map(on_face).collect::<Vec<_>>().into_flattened();
         let back = samples_of_input(input.mesh, SAMPLES_BACK * domain.mesh.n_faces());
         let seeds = Seeds::new(input, domain.mesh, &forward);
         let backward = back.into_par_iter().map(|(sample, area)| seeds.pair(input, domain, sample, area)).collect();

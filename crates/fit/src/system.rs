@@ -3,11 +3,12 @@
 //! The matrix is kept as 3x3 blocks for each pair of corners of each face. A product gathers by vertices, each from its fan in order, so it
 //! is the same on any number of threads.
 
+use conjugate_gradients::solve;
 use glam::{DMat3, DVec3};
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, Topology, VertexId};
 use rayon::prelude::*;
 
-/// Vertices that one task works on. Sums are taken block by block and then in order.
+/// Faces or vertices that one task works on.
 const BLOCK: usize = 2048;
 
 /// What a vertex is free to do.
@@ -102,53 +103,26 @@ impl<'a> System<'a> {
             let own = self.topology.fan(v).map(|h| self.elements[h.face()].own[h.corner()]);
             self.freedoms[v].inverse(own.fold(DMat3::ZERO, |sum, block| sum + block))
         });
-        let right = |v: VertexId| self.topology.fan(v).map(|h| self.elements[h.face()].right[h.corner()]).sum();
-        let mut residual = self.each(|v| self.freedoms[v].project(right(v)));
-        let precondition = |r: &[DVec3]| -> Vec<DVec3> { r.iter().zip(&inverse).map(|(&r, &m)| m * r).collect() };
-        let mut x = vec![DVec3::ZERO; residual.len()];
-        let mut direction = precondition(&residual);
-        let mut rho = dot(&residual, &direction);
-        let goal = rho * tolerance * tolerance;
-        for _ in 0..most {
-            let image = self.times(&direction);
-            let curvature = dot(&direction, &image);
-            if rho <= goal || curvature.is_nan() || curvature <= 0.0 {
-                break;
-            }
-            let step = rho / curvature;
-            add(&mut x, step, &direction);
-            add(&mut residual, -step, &image);
-            let z = precondition(&residual);
-            let next = dot(&residual, &z);
-            let turn = next / rho;
-            direction.iter_mut().zip(&z).for_each(|(d, &z)| *d = z + turn * *d);
-            rho = next;
-        }
-        IdVec::from_vec(x)
+        let right = self.each(|v| {
+            let right = self.topology.fan(v).map(|h| self.elements[h.face()].right[h.corner()]);
+            self.freedoms[v].project(right.sum())
+        });
+        IdVec::from_vec(solve(right, |x, i| self.row(x, VertexId::new(i)), |r, i| inverse[i] * r, tolerance, most))
     }
 
-    fn times(&self, x: &[DVec3]) -> Vec<DVec3> {
+    /// The row of a vertex of `A x`.
+    fn row(&self, x: &[DVec3], v: VertexId) -> DVec3 {
         let at = |h: HalfedgeId| x[self.topology.from(h).index()];
-        let row = |h: HalfedgeId| {
+        let part = |h: HalfedgeId| {
             let (element, k) = (&self.elements[h.face()], h.corner());
             element.own[k] * at(h) + element.next[k] * at(h.next()) + element.next[(k + 2) % 3] * at(h.prev())
         };
-        self.each(|v| self.freedoms[v].project(self.topology.fan(v).map(row).sum()))
+        self.freedoms[v].project(self.topology.fan(v).map(part).sum())
     }
 
     fn each<T: Send>(&self, value: impl Fn(VertexId) -> T + Sync) -> Vec<T> {
         (0..self.freedoms.len()).into_par_iter().with_min_len(BLOCK).map(|i| value(VertexId::new(i))).collect()
     }
-}
-
-fn add(x: &mut [DVec3], factor: f64, y: &[DVec3]) {
-    x.iter_mut().zip(y).for_each(|(x, &y)| *x += factor * y);
-}
-
-fn dot(x: &[DVec3], y: &[DVec3]) -> f64 {
-    let blocks = x.par_chunks(BLOCK).zip(y.par_chunks(BLOCK));
-    let sums: Vec<f64> = blocks.map(|(x, y)| x.iter().zip(y).map(|(x, y)| x.dot(*y)).sum()).collect();
-    sums.into_iter().sum()
 }
 
 #[cfg(test)]

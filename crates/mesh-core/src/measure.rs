@@ -104,6 +104,10 @@ impl TriMesh {
     pub fn distance(&self, a: VertexId, b: VertexId) -> f64 {
         self.position(a).distance(self.position(b))
     }
+    /// Length of a chain of edges, given by its vertices in order; 0 for fewer than two.
+    pub fn chain_length(&self, chain: &[VertexId]) -> f64 {
+        chain.windows(2).map(|w| self.distance(w[0], w[1])).sum()
+    }
 }
 
 #[cfg(test)]
@@ -120,6 +124,13 @@ mod tests {
         assert!((aspect_ratio(right) - expected).abs() < 1e-15);
         assert_eq!(aspect_ratio([DVec3::X; 3]), 0.0);
         assert_eq!(normal([DVec3::ZERO, DVec3::X, 2.0 * DVec3::X]), DVec3::ZERO);
+    }
+
+    #[test]
+    fn a_chain_is_as_long_as_its_edges() {
+        let mesh = TriMesh::new(vec![DVec3::ZERO, 3.0 * DVec3::X, 4.0 * DVec3::Y], vec![[0, 1, 2]]).unwrap();
+        let length = |chain: &[u32]| mesh.chain_length(&chain.iter().copied().map(VertexId).collect::<Vec<_>>());
+        assert_eq!([length(&[]), length(&[2]), length(&[1, 0, 2]), length(&[0, 1, 2, 0])], [0.0, 0.0, 7.0, 12.0]);
     }
 
     #[test]

@@ -18,11 +18,7 @@ struct Shape {
 impl Shape {
     fn new(mesh: TriMesh) -> Self {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let kind = |e| match topology.edge_faces(e) {
-            (_, None) => Some(ArcKind::Border),
-            (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
-        };
-        let network = Network::trace(&mesh, &topology, &topology.edge_ids().map(kind).collect(), |_| false, Vec::new());
+        let network = Network::trace(&mesh, &topology, &ArcKind::by_angle(&mesh, &topology, 40.0), |_| false, Vec::new());
         let normals = SheetNormals::new(&mesh, &topology, &network);
         Self { mesh, topology, network, normals }
     }

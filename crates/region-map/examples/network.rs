@@ -7,12 +7,7 @@ use std::error::Error;
 fn main() -> Result<(), Box<dyn Error>> {
     let mesh = fixtures::part(6);
     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    let is_sharp = |e| {
-        let (f, g) = topology.edge_faces(e);
-        g.is_some_and(|g| mesh.normal(f).angle_between(mesh.normal(g)).to_degrees() > 40.0)
-    };
-    let kinds = topology.edge_ids().map(|e| is_sharp(e).then_some(ArcKind::Sharp)).collect();
-    let network = Network::trace(&mesh, &topology, &kinds, |_| false, Vec::new());
+    let network = Network::trace(&mesh, &topology, &ArcKind::by_angle(&mesh, &topology, 40.0), |_| false, Vec::new());
     println!("{} corners, {} arcs, {} sheets", network.corners.len(), network.arcs.len(), network.n_sheets);
     for (id, arc) in network.arcs.enumerate() {
         let ends = arc.corners.map_or("a loop".to_owned(), |[a, b]| format!("from corner {a} to {b}"));

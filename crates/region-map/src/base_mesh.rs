@@ -2,7 +2,7 @@
 
 use crate::{BaseMap, MapFaceId, RegionMap};
 use glam::DVec3;
-use mesh_core::{FaceId, IdVec, SurfacePoint, TriMesh};
+use mesh_core::{FaceId, Id as _, IdVec, SurfacePoint, TriMesh};
 
 /// How many base vertices there are, and why.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,6 +16,9 @@ pub struct BaseCounts {
     /// Why more were made than asked for; empty where the request was met.
     pub reason: String,
 }
+
+/// Steps around the unit interval that spread any number of points evenly and independently (multiples of irrational numbers).
+const STEPS: [f64; 3] = [0.754_877_666_246_692_8, 0.618_033_988_749_894_9, 0.245_122_333_753_307_1];
 
 /// A simplicial base mesh, where its vertices, edges and faces belong, and the bijection to the working mesh.
 #[derive(Clone, Debug)]
@@ -37,4 +40,28 @@ impl BaseMesh {
     pub fn locate(&self, face: FaceId, barycentric: DVec3) -> SurfacePoint {
         self.map.locate(self.map_faces[face], barycentric)
     }
+
+    /// The greatest distance between a point of the working mesh and where the map brings it by way of the base mesh, over the
+    /// diagonal, of `n` points spread over the faces; 0 without points. Infinite when a point is not found in any base face.
+    pub fn round_trip_error(&self, working: &TriMesh, n: usize) -> f64 {
+        (0..n).map(|i| self.round_trip(working, spread_point(working, i))).fold(0.0, f64::max)
+    }
+
+    fn round_trip(&self, working: &TriMesh, point: SurfacePoint) -> f64 {
+        let Some((face, weights)) = self.map.find(point) else { return f64::INFINITY };
+        if !self.map_faces.iter().any(|&f| f == face) {
+            return f64::INFINITY;
+        }
+        self.map.locate(face, weights).position(working).distance(point.position(working)) / working.diagonal()
+    }
+}
+
+/// A point in any face, however small the face is.
+fn spread_point(mesh: &TriMesh, i: usize) -> SurfacePoint {
+    let [face, s, t] = STEPS.map(|step| (0.5 + i as f64 * step).fract());
+    // The square root makes points even in the triangle.
+    let s = s.sqrt();
+    let weights = DVec3::new(1.0 - s, s * (1.0 - t), s * t);
+    let face = (face * mesh.n_faces() as f64) as usize;
+    SurfacePoint::new(FaceId::new(face.min(mesh.n_faces() - 1)), weights)
 }

@@ -16,9 +16,7 @@
 //! // A cylinder: two rims, closed arcs without a corner, between three sheets.
 //! let mesh = fixtures::cylinder(0.5, 1.5, 48);
 //! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//! let is_rim = |e| topology.edge_faces(e).1.is_some_and(|g| mesh.normal(g).dot(mesh.normal(topology.edge_faces(e).0)) < 0.7);
-//! let kinds = topology.edge_ids().map(|e| is_rim(e).then_some(ArcKind::Sharp)).collect();
-//! let network = Network::trace(&mesh, &topology, &kinds, |_| false, Vec::new());
+//! let network = Network::trace(&mesh, &topology, &ArcKind::by_angle(&mesh, &topology, 40.0), |_| false, Vec::new());
 //! assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (0, 2, 3));
 //!
 //! // The mesh as a domain over itself: 48 vertices on each rim, the others inside sheets.

@@ -24,6 +24,18 @@ pub enum ArcKind {
     Marked,
 }
 
+impl ArcKind {
+    /// The kinds of all edges by angle alone: borders, and creases where the normals of both faces are more than this apart, in
+    /// degrees. For meshes without noise; the crate `features` weighs what it finds.
+    pub fn by_angle(mesh: &TriMesh, topology: &Topology, degrees: f64) -> IdVec<EdgeId, Option<Self>> {
+        let kind = |e| match topology.edge_faces(e) {
+            (_, None) => Some(Self::Border),
+            (f, Some(g)) => (mesh.normal(f).angle_between(mesh.normal(g)) > degrees.to_radians()).then_some(Self::Sharp),
+        };
+        topology.edge_ids().map(kind).collect()
+    }
+}
+
 /// A chain of edges between two corners, or a closed chain without one.
 #[derive(Clone, Debug)]
 pub struct Arc {
@@ -167,6 +179,12 @@ impl Network {
     /// Total length of all arcs.
     pub fn total_length(&self) -> f64 {
         self.arcs.iter().map(Arc::length).sum()
+    }
+
+    /// Length of the creases that are arcs, and of those that were not kept.
+    pub fn crease_lengths(&self, mesh: &TriMesh) -> [f64; 2] {
+        let kept = self.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(Arc::length).sum();
+        [kept, self.minor.iter().map(|chain| mesh.chain_length(chain)).sum()]
     }
 }
 

@@ -99,14 +99,7 @@ mod tests {
     /// Normals of a mesh whose edges are barriers where they bend by more than 40 degrees or bound.
     fn normals(mesh: &TriMesh) -> (Topology, SheetNormals) {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let kinds = topology
-            .edge_ids()
-            .map(|e| match topology.edge_faces(e) {
-                (_, None) => Some(ArcKind::Border),
-                (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
-            })
-            .collect();
-        let network = Network::trace(mesh, &topology, &kinds, |_| false, vec![]);
+        let network = Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), |_| false, vec![]);
         let normals = SheetNormals::new(mesh, &topology, &network);
         (topology, normals)
     }

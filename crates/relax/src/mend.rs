@@ -9,6 +9,7 @@ use crate::placement::{Placement, Spot};
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
+use std::cell::OnceCell;
 
 /// Triangles worse than this (AR, negative when folded) are mended.
 const SOUND: f64 = 0.02;
@@ -22,46 +23,62 @@ const ROUNDS: usize = 20;
 const DIRECTIONS: usize = 12;
 const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
 
-/// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
-pub(crate) fn mend_folds(domain: &Domain, placement: &mut Placement) {
-    let mesh = domain.surface.mesh;
-    let mender = Mender { domain, index: SurfaceIndex::new(mesh), diagonal: mesh.diagonal() };
-    for _ in 0..ROUNDS {
-        let folds = mender.folds(placement);
-        if folds.is_empty() || folds.len() as f64 > MOST_FOLDED * domain.topology.n_faces() as f64 {
+/// Mends placements of one domain. The surface is indexed once, when first asked for.
+pub(crate) struct Mender<'a> {
+    domain: &'a Domain<'a>,
+    index: OnceCell<SurfaceIndex>,
+}
+
+impl<'a> Mender<'a> {
+    pub(crate) fn new(domain: &'a Domain<'a>) -> Self {
+        Self { domain, index: OnceCell::new() }
+    }
+
+    /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
+    pub(crate) fn mend_folds(&self, placement: &mut Placement) {
+        let most = MOST_FOLDED * self.domain.topology.n_faces() as f64;
+        // Where the normals at the corners tell of too many, the surface is not asked: it could only add to them. Otherwise it is, for
+        // every triangle: one that bridges a slit may look sound.
+        let folded = |f: &FaceId| signed_quality(self.domain, placement, *f) < SOUND;
+        if self.domain.faces().into_par_iter().filter(folded).count() as f64 > most {
             return;
         }
-        let moved = mender.around(&folds).into_iter().filter(|&v| mender.improve(placement, v)).count();
-        if moved == 0 {
-            return;
+        let mesh = self.domain.surface.mesh;
+        let sight =
+            Sight { domain: self.domain, index: self.index.get_or_init(|| SurfaceIndex::new(mesh)), diagonal: mesh.diagonal() };
+        let mut folds = sight.folds(placement, self.domain.faces());
+        for _ in 0..ROUNDS {
+            if folds.is_empty() || folds.len() as f64 > most {
+                return;
+            }
+            let moved: Vec<VertexId> = self.domain.around(&folds).into_iter().filter(|&v| sight.improve(placement, v)).collect();
+            if moved.is_empty() {
+                return;
+            }
+            // Only triangles that have moved can have changed.
+            let changed = self.domain.fans(&moved);
+            folds.retain(|f| changed.binary_search(f).is_err());
+            folds.extend(sight.folds(placement, changed));
+            folds.sort_unstable();
         }
     }
 }
 
-struct Mender<'a> {
+/// Sees folds that the normals at the corners do not tell of.
+struct Sight<'a> {
     domain: &'a Domain<'a>,
-    index: SurfaceIndex,
+    index: &'a SurfaceIndex,
     diagonal: f64,
 }
 
 /// The worst of the triangles round a vertex, then the sum of all.
 type Score = (f64, f64);
 
-impl Mender<'_> {
-    /// All triangles that are not sound.
-    fn folds(&self, placement: &Placement) -> Vec<FaceId> {
+impl Sight<'_> {
+    /// Those of some triangles that are not sound, in their order.
+    fn folds(&self, placement: &Placement, faces: Vec<FaceId>) -> Vec<FaceId> {
         let quality = |f: FaceId| self.in_sight_of_surface(placement, f, signed_quality(self.domain, placement, f));
-        self.domain.faces().into_par_iter().filter(|&f| quality(f) < SOUND).collect()
-    }
-
-    /// The vertices of some faces and their neighbours.
-    fn around(&self, faces: &[FaceId]) -> Vec<VertexId> {
-        let topology = self.domain.topology;
-        let corners = faces.iter().flat_map(|&f| topology.face(f));
-        let mut vertices: Vec<VertexId> = corners.flat_map(|v| topology.one_ring(v).chain([v])).collect();
-        vertices.sort_unstable();
-        vertices.dedup();
-        vertices
+        faces.into_par_iter().filter(|&f| quality(f) < SOUND).collect()
     }
 
     /// Moves a vertex to the best place that it finds; false where it stays.
@@ -133,6 +150,17 @@ impl Mender<'_> {
     fn touches(&self, middle: DVec3, distance: f64, opposes: impl Fn(FaceId) -> bool) -> bool {
         let reach = distance + TOUCHING * self.diagonal;
         self.index.closest_where(middle, |g| !opposes(g)).is_some_and(|other| other.distance <= reach)
+    }
+}
+
+impl Domain<'_> {
+    /// The vertices of some faces and their neighbours, in rising order.
+    fn around(&self, faces: &[FaceId]) -> Vec<VertexId> {
+        let corners = faces.iter().flat_map(|&f| self.topology.face(f));
+        let mut vertices: Vec<VertexId> = corners.flat_map(|v| self.topology.one_ring(v).chain([v])).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
     }
 }
 

@@ -88,9 +88,7 @@ impl Placement {
             for &v in &vertices {
                 self.0[v] = before.0[v];
             }
-            suspects = vertices.into_iter().flat_map(|v| domain.topology.fan(v).map(HalfedgeId::face)).collect();
-            suspects.sort_unstable();
-            suspects.dedup();
+            suspects = domain.fans(&vertices);
         }
     }
 
@@ -129,6 +127,14 @@ impl Domain<'_> {
     /// All faces, in order.
     pub(crate) fn faces(&self) -> Vec<FaceId> {
         self.topology.faces().ids().collect()
+    }
+
+    /// The faces around some vertices, in order.
+    pub(crate) fn fans(&self, vertices: &[VertexId]) -> Vec<FaceId> {
+        let mut faces: Vec<FaceId> = vertices.iter().flat_map(|&v| self.topology.fan(v).map(HalfedgeId::face)).collect();
+        faces.sort_unstable();
+        faces.dedup();
+        faces
     }
 
     /// Unit direction of a rail at arc length `t`.

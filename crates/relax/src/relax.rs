@@ -1,7 +1,7 @@
 //! The verb of this crate: quadric relaxation, then shape optimisation.
 
 use crate::domain::Domain;
-use crate::mend::mend_folds;
+use crate::mend::Mender;
 use crate::placement::Placement;
 use crate::quadric::relax_quadric;
 use crate::shape::optimise_shape;
@@ -61,14 +61,15 @@ pub fn relax(
 
     let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
-    let (mut best, mut shape_steps) = shaped_and_mended(&domain, &relaxed, &options.shape)?;
+    let mender = Mender::new(&domain);
+    let (mut best, mut shape_steps) = shaped_and_mended(&domain, &mender, &relaxed, &options.shape)?;
     let mut end = Quality::of(&best, &domain);
     if end.inverted > 0 {
         // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
         let smooth_only = ShapeOptions { untangling_steps: 0, ..options.shape.clone() };
         let mut mended = relaxed.clone();
-        mend_folds(&domain, &mut mended);
-        let (other, steps) = shaped_and_mended(&domain, &mended, &smooth_only)?;
+        mender.mend_folds(&mut mended);
+        let (other, steps) = shaped_and_mended(&domain, &mender, &mended, &smooth_only)?;
         let quality = Quality::of(&other, &domain);
         shape_steps += steps;
         if quality.is_better_than(&end) {
@@ -85,8 +86,13 @@ pub fn relax(
 }
 
 /// Shape optimisation, and then the mending of what it left folded. Returns the number of Newton steps, too.
-fn shaped_and_mended(domain: &Domain, start: &Placement, options: &ShapeOptions) -> Result<(Placement, usize), RelaxError> {
+fn shaped_and_mended(
+    domain: &Domain,
+    mender: &Mender,
+    start: &Placement,
+    options: &ShapeOptions,
+) -> Result<(Placement, usize), RelaxError> {
     let (mut placement, steps) = optimise_shape(domain, start.clone(), options)?;
-    mend_folds(domain, &mut placement);
+    mender.mend_folds(&mut placement);
     Ok((placement, steps))
 }

@@ -67,6 +67,8 @@ struct Step {
     before: f64,
     after: f64,
     placement: Placement,
+    /// Of all triangles after it.
+    energies: Vec<f64>,
 }
 
 impl<'a> Optimiser<'a> {
@@ -97,7 +99,7 @@ impl<'a> Optimiser<'a> {
             let lacking = (SOUND_AREA - worst).min(MOST_LACKING);
             self.eps = scales.iter().map(|scale| REGULARISATION * lacking * scale).collect();
             let upright = worst > 0.0;
-            let Some(step) = self.step(upright) else { break };
+            let Some(step) = self.step(upright, &self.energies(&self.placement)) else { break };
             idle = if step.before - step.after < LEAST_PROGRESS * step.before { idle + 1 } else { 0 };
             self.placement = step.placement;
             steps += 1;
@@ -114,10 +116,10 @@ impl<'a> Optimiser<'a> {
     fn smooth(&mut self, options: &ShapeOptions) -> usize {
         self.metric.power = options.power.max(1.0);
         let least = (1.0 + self.metric.size_weight) * self.faces.len() as f64;
-        let mut small_gains = 0;
+        let (mut small_gains, mut energies) = (0, self.energies(&self.placement));
         for steps in 0..options.steps {
-            let Some(step) = self.step(true) else { return steps };
-            self.placement = step.placement;
+            let Some(step) = self.step(true, &energies) else { return steps };
+            (self.placement, energies) = (step.placement, step.energies);
             let is_small = step.before - step.after < options.tolerance * (step.before - least);
             small_gains = if is_small { small_gains + 1 } else { 0 };
             if small_gains == MOST_SMALL_GAINS {
@@ -127,11 +129,10 @@ impl<'a> Optimiser<'a> {
         options.steps
     }
 
-    /// One Newton step; `None` when no step lowers the energy. With `hold` no triangle that faces with the surface is turned
-    /// over.
-    fn step(&self, hold: bool) -> Option<Step> {
-        let energies = self.energies(&self.placement);
-        let before = energies.iter().sum();
+    /// One Newton step from the present energies; `None` when no step lowers their sum. With `hold` no triangle that faces with the
+    /// surface is turned over.
+    fn step(&self, hold: bool, present: &[f64]) -> Option<Step> {
+        let before = present.iter().sum();
         let frames = self.frames();
         let system = System::assemble(&self.pattern, self.domain.topology, &self.elements(&frames));
         let solution = system.solve(SOLVER_TOLERANCE, SOLVER_STEPS);
@@ -147,22 +148,28 @@ impl<'a> Optimiser<'a> {
             if hold {
                 placement.hold_upright(self.domain, &self.placement);
             }
-            let (after, placement) = self.better_tamed_or_not(placement, &energies);
+            let (placement, energies) = self.better_tamed_or_not(placement, present);
+            let after = energies.iter().sum();
             if after < before {
-                return Some(Step { before, after, placement });
+                return Some(Step { before, after, placement, energies });
             }
             share *= 0.5;
         }
         None
     }
 
-    /// The placement as it is, or with all triangles taken back whose energy grew much beyond the one before, and its energy.
-    fn better_tamed_or_not(&self, wild: Placement, before: &[f64]) -> (f64, Placement) {
+    /// The placement as it is, or with all triangles taken back whose energy grew much beyond the one before, and its energies.
+    fn better_tamed_or_not(&self, wild: Placement, before: &[f64]) -> (Placement, Vec<f64>) {
+        let wild_energies = self.energies(&wild);
+        if wild_energies.iter().zip(before).all(|(after, before)| *after <= MOST_GROWTH * before) {
+            return (wild, wild_energies);
+        }
         let mut tamed = wild.clone();
         let grew = |trial: &Placement, f: FaceId| self.triangle(trial, f).energy(&self.metric) > MOST_GROWTH * before[f.index()];
         tamed.take_back(self.domain, &self.placement, grew);
-        let [wild_energy, tamed_energy] = [&wild, &tamed].map(|p| self.energies(p).into_iter().sum());
-        if tamed_energy < wild_energy { (tamed_energy, tamed) } else { (wild_energy, wild) }
+        let tamed_energies = self.energies(&tamed);
+        let is_better = tamed_energies.iter().sum::<f64>() < wild_energies.iter().sum();
+        if is_better { (tamed, tamed_energies) } else { (wild, wild_energies) }
     }
 
     fn triangle(&self, placement: &Placement, f: FaceId) -> Triangle {
@@ -192,7 +199,8 @@ impl<'a> Optimiser<'a> {
                 },
             }
         };
-        self.domain.freedoms.ids().map(frame).collect()
+        let vertices: Vec<VertexId> = self.domain.freedoms.ids().collect();
+        IdVec::from_vec(vertices.into_par_iter().map(frame).collect())
     }
 
     /// What each triangle adds to the system.

@@ -1,12 +1,8 @@
 //! A symmetric positive system of 2x2 blocks over the edges of a mesh, and its solution by conjugate gradients.
 
+use conjugate_gradients::solve;
 use glam::{DMat2, DVec2};
 use mesh_core::{HalfedgeId, Id, IdVec, Topology, VertexId};
-use rayon::prelude::*;
-
-/// Rows that one task multiplies or sums. Sums are taken block by block and then in order, so that they don't depend on the
-/// number of threads.
-const BLOCK: usize = 2048;
 
 /// Where each vertex' row and each face's entries are. Made once for a topology.
 pub(crate) struct Pattern {
@@ -78,50 +74,16 @@ impl<'a> System<'a> {
     /// metric) has fallen to the share `tolerance`, or for `most` iterations. Unknowns without an equation stay 0.
     pub(crate) fn solve(&self, tolerance: f64, most: usize) -> Vec<DVec2> {
         let inverse: Vec<DMat2> = self.diagonal.iter().map(|&d| pseudo_inverse(d)).collect();
-        let precondition = |r: &[DVec2]| -> Vec<DVec2> { r.iter().zip(&inverse).map(|(&r, &m)| m * r).collect() };
-        let mut x = vec![DVec2::ZERO; self.right.len()];
-        let mut residual = self.right.clone();
-        let mut z = precondition(&residual);
-        let mut direction = z.clone();
-        let mut rho = dot(&residual, &z);
-        let goal = rho * tolerance * tolerance;
-        for _ in 0..most {
-            let image = self.times(&direction);
-            let curvature = dot(&direction, &image);
-            if rho <= goal || curvature.is_nan() || curvature <= 0.0 {
-                break;
-            }
-            let step = rho / curvature;
-            add(&mut x, step, &direction);
-            add(&mut residual, -step, &image);
-            z = precondition(&residual);
-            let next = dot(&residual, &z);
-            let turn = next / rho;
-            direction.iter_mut().zip(&z).for_each(|(d, &z)| *d = z + turn * *d);
-            rho = next;
-        }
-        x
+        solve(self.right.clone(), |x, v| self.row(x, v), |r, v| inverse[v] * r, tolerance, most)
     }
 
-    fn times(&self, x: &[DVec2]) -> Vec<DVec2> {
+    /// Row `v` of `H x`.
+    fn row(&self, x: &[DVec2], v: usize) -> DVec2 {
         let Pattern { starts, columns, .. } = self.pattern;
-        let row = |v: usize| {
-            let row = starts[v]..starts[v + 1];
-            let off_diagonal: DVec2 = columns[row.clone()].iter().zip(&self.blocks[row]).map(|(&w, &b)| b * x[w as usize]).sum();
-            self.diagonal[v] * x[v] + off_diagonal
-        };
-        (0..x.len()).into_par_iter().with_min_len(BLOCK).map(row).collect()
+        let row = starts[v]..starts[v + 1];
+        let off_diagonal: DVec2 = columns[row.clone()].iter().zip(&self.blocks[row]).map(|(&w, &b)| b * x[w as usize]).sum();
+        self.diagonal[v] * x[v] + off_diagonal
     }
-}
-
-fn add(x: &mut [DVec2], factor: f64, y: &[DVec2]) {
-    x.iter_mut().zip(y).for_each(|(x, &y)| *x += factor * y);
-}
-
-fn dot(x: &[DVec2], y: &[DVec2]) -> f64 {
-    let blocks = x.par_chunks(BLOCK).zip(y.par_chunks(BLOCK));
-    let sums: Vec<f64> = blocks.map(|(x, y)| x.iter().zip(y).map(|(x, y)| x.dot(*y)).sum()).collect();
-    sums.into_iter().sum()
 }
 
 /// The inverse of a symmetric block; only of the entries on its diagonal that are not 0 where it has none.
@@ -151,7 +113,7 @@ mod tests {
         let elements: Vec<_> = (0..4).map(|_| element()).collect();
         let mut system = System::assemble(&pattern, &topology, &elements);
         let expected = [1.0, -2.0, 0.5, 3.0].map(|x| DVec2::new(x, 0.0));
-        system.right = system.times(&expected);
+        system.right = (0..4).map(|v| system.row(&expected, v)).collect();
         assert_eq!(system.right[0], DVec2::new(4.0 - 1.5, 0.0));
         let x = system.solve(1e-14, 20);
         assert!(x.iter().zip(&expected).all(|(a, b)| a.distance(*b) < 1e-12), "{x:?}");

@@ -17,12 +17,7 @@ fn cells_with_corners(
     segmented: impl Fn(&Topology, &Network) -> Segmentation,
 ) -> Cells {
     let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-    let kind = |e| match topology.edge_faces(e) {
-        (_, None) => Some(ArcKind::Border),
-        (f, Some(g)) => (mesh.normal(f).angle_between(mesh.normal(g)) > 40f64.to_radians()).then_some(ArcKind::Sharp),
-    };
-    let kinds = topology.edge_ids().map(kind).collect();
-    let network = Network::trace(mesh, &topology, &kinds, is_corner, Vec::new());
+    let network = Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), is_corner, Vec::new());
     Cells::trace(mesh, &topology, &network, &segmented(&topology, &network)).unwrap()
 }
 

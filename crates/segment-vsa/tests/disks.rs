@@ -28,12 +28,7 @@ fn network(mesh: &TriMesh) -> Network {
 
 fn network_with_corner(mesh: &TriMesh, is_corner: impl Fn(VertexId) -> bool) -> Network {
     let topology = topology(mesh);
-    let kind = |e| match topology.edge_faces(e) {
-        (_, None) => Some(ArcKind::Border),
-        (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
-    };
-    let kinds = topology.edge_ids().map(kind).collect();
-    Network::trace(mesh, &topology, &kinds, is_corner, Vec::new())
+    Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), is_corner, Vec::new())
 }
 
 fn options(max_patches: usize) -> VsaOptions {

@@ -36,7 +36,7 @@ pub struct BaseStages {
     pub warnings: Vec<String>,
 }
 
-/// Fewer, and nothing is left for the inside of the patches (design, section 3).
+/// Fewer, and nothing is left for the inside of the patches.
 const VERTICES_A_PATCH: usize = 16;
 /// So often patches are split for their distortion; later only those that have no chart at all.
 const SPLITTING_ROUNDS: usize = 4;

@@ -22,7 +22,6 @@ mod marked;
 mod options;
 mod pipeline;
 mod report;
-mod round_trip;
 mod snapping;
 mod with_base;
 

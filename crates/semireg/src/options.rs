@@ -6,7 +6,7 @@ use mesh_core::CleanOptions;
 /// Options of the whole pipeline. Everything has a default that works.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Wanted number of base vertices; `None` takes 1.6 % of the cleaned input's, between 100 and 2000 (design, section 5).
+    /// Wanted number of base vertices; `None` takes 1.6 % of the cleaned input's, between 100 and 2000.
     pub base_vertices: Option<usize>,
     /// How often every base face is split in four, 0 to 8. Default 3.
     pub levels: u32,

@@ -5,6 +5,7 @@ use mesh_core::Topology;
 use region_map::{Network, SheetNormals, Surface};
 use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
 use snap::{LetGo, SnapOptions};
+use std::borrow::Cow;
 
 /// Newton steps after snapping: it moves few vertices, and from a relaxed start.
 const STEPS: usize = 4;
@@ -13,9 +14,9 @@ const UNTANGLING_STEPS: usize = 8;
 const ROUNDS: usize = 3;
 
 /// A relaxed domain, and the network that it hangs on.
-pub(crate) struct Settled {
-    pub(crate) network: Network,
-    pub(crate) normals: SheetNormals,
+pub(crate) struct Settled<'a> {
+    pub(crate) network: Cow<'a, Network>,
+    pub(crate) normals: Cow<'a, SheetNormals>,
     pub(crate) relaxed: Relaxed,
     /// Bends and pieces of minor creases that it was snapped to.
     pub(crate) snapped: [usize; 2],
@@ -25,17 +26,22 @@ pub(crate) struct Settled {
 
 /// Snaps the domain to bends and minor creases and relaxes it again; as it was where there are none, where all came out poor,
 /// where more triangles are inverted than before, or where it fails.
-pub(crate) fn settle(surface: &Surface, relaxed: Relaxed, topology: &Topology, options: &RelaxOptions) -> Settled {
+pub(crate) fn settle<'a>(surface: &Surface<'a>, relaxed: Relaxed, topology: &Topology, options: &RelaxOptions) -> Settled<'a> {
     let warning = match snapped(surface, &relaxed, topology, options) {
         Ok(Some(settled)) => return settled,
         Ok(None) => None,
         Err(e) => Some(format!("bends and minor creases were left as they came out: {e}")),
     };
-    let (network, normals) = (surface.network.clone(), surface.normals.clone());
+    let (network, normals) = (Cow::Borrowed(surface.network), Cow::Borrowed(surface.normals));
     Settled { network, normals, relaxed, snapped: [0, 0], warning }
 }
 
-fn snapped(surface: &Surface, relaxed: &Relaxed, topology: &Topology, options: &RelaxOptions) -> Result<Option<Settled>, Error> {
+fn snapped(
+    surface: &Surface,
+    relaxed: &Relaxed,
+    topology: &Topology,
+    options: &RelaxOptions,
+) -> Result<Option<Settled<'static>>, Error> {
     let few_steps = RelaxOptions {
         quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
         shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
@@ -53,7 +59,7 @@ fn snapped(surface: &Surface, relaxed: &Relaxed, topology: &Topology, options: &
             let RelaxReport { end, shape_steps, .. } = again.report;
             again.report = RelaxReport { end, shape_steps: relaxed.report.shape_steps + shape_steps, ..relaxed.report };
             let counts = [snapped.bends.len(), snapped.tracks.len()];
-            let (network, normals) = (snapped.network, snapped.normals);
+            let (network, normals) = (Cow::Owned(snapped.network), Cow::Owned(snapped.normals));
             let settled = Settled { network, normals, relaxed: again, snapped: counts, warning: None };
             return Ok((end.inverted <= relaxed.report.end.inverted).then_some(settled));
         }

@@ -58,7 +58,7 @@ fn check(name: &str, soup: &Soup, base_vertices: usize) {
 /// Points come back through the map. With fewer vertices than the topology needs the map may squeeze a whole handle into a corner of
 /// a base face (measured: areas by 1e12), beyond what any barycentric coordinates can tell apart.
 fn check_map(at: &str, stages: &BaseStages) {
-    let error = stages.round_trip_error(POINTS);
+    let error = stages.base.round_trip_error(&stages.working.mesh, POINTS);
     let room = stages.base.counts.asked >= stages.base.counts.needed;
     assert!(error <= 1e-9 || !room, "{at}: a point comes back {error:e} of the diagonal off");
 }

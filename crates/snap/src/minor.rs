@@ -56,8 +56,7 @@ fn is_turned_back(surface: &Surface, pieces: &[Piece], i: usize) -> bool {
 fn piece(surface: &Surface, vertices: &[VertexId]) -> Option<Piece> {
     let edges: Vec<EdgeId> = vertices.windows(2).map(|w| surface.topology.find_edge(w[0], w[1])).collect::<Option<_>>()?;
     let sheet = surface.network.sheet_of_face[surface.topology.edge_faces(*edges.first()?).0];
-    let length = vertices.windows(2).map(|w| surface.mesh.distance(w[0], w[1])).sum();
-    Some(Piece { vertices: vertices.to_vec(), edges, sheet, length })
+    Some(Piece { vertices: vertices.to_vec(), edges, sheet, length: surface.mesh.chain_length(vertices) })
 }
 
 /// Where the chain is cut: at its ends, sharp turns and meetings with arcs, and a closed one in three at least.

@@ -92,7 +92,7 @@ impl Path<'_, '_> {
             path.push(at);
         }
         path.reverse();
-        let length: f64 = path.windows(2).map(|w| claims.domain.distance(w[0], w[1])).sum();
+        let length = claims.domain.chain_length(&path);
         let [least, most] = LENGTHS.map(|share| share * self.piece.length);
         (least < length && length < most).then_some(path)
     }

@@ -6,7 +6,7 @@ use crate::minor::pieces;
 use crate::retarget::retarget;
 use crate::{SnapError, SnapOptions};
 use mesh_core::{EdgeId, FaceId, HalfedgeId, Topology, TriMesh, VertexId, aspect_ratio};
-use region_map::{ArcKind, Network, RegionMap, SheetNormals, Surface};
+use region_map::{Network, RegionMap, SheetNormals, Surface};
 use std::collections::BTreeSet;
 
 /// Once bends have taken vertices, the edges beside them may leave the arc at the next one.
@@ -76,10 +76,7 @@ pub fn snap(
 
 /// Does the network keep this share of the length of all creases? Where there are none it does.
 fn keeps_its_creases(surface: &Surface, share: f64) -> bool {
-    let Network { arcs, minor, .. } = surface.network;
-    let kept: f64 = arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(|arc| arc.length()).sum();
-    let length = |chain: &[VertexId]| -> f64 { chain.windows(2).map(|w| surface.mesh.distance(w[0], w[1])).sum() };
-    let left: f64 = minor.iter().map(|chain| length(chain)).sum();
+    let [kept, left] = surface.network.crease_lengths(surface.mesh);
     kept >= share * (kept + left)
 }
 

@@ -20,11 +20,7 @@ struct Base {
 impl Base {
     fn new(name: &'static str, mesh: TriMesh) -> Self {
         let topology = topology(&mesh);
-        let kind = |e| match topology.edge_faces(e) {
-            (_, None) => Some(ArcKind::Border),
-            (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
-        };
-        let network = Network::trace(&mesh, &topology, &topology.edge_ids().map(kind).collect(), |_| false, Vec::new());
+        let network = Network::trace(&mesh, &topology, &ArcKind::by_angle(&mesh, &topology, 40.0), |_| false, Vec::new());
         let region = RegionMap::identity(&topology, &network);
         Self { name, mesh, network, region }
     }

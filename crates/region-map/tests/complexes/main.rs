@@ -6,7 +6,7 @@ mod check;
 mod network;
 
 use glam::DVec3;
-use mesh_core::{IdVec, Topology, TriMesh, VertexId};
+use mesh_core::{Topology, TriMesh, VertexId};
 use region_map::{ArcKind, Network};
 
 fn topology(mesh: &TriMesh) -> Topology {
@@ -20,15 +20,10 @@ fn marked_network(
     is_marked: impl Fn(DVec3) -> bool,
     is_corner: impl Fn(VertexId) -> bool,
 ) -> Network {
-    let kind = |e| {
-        let marked = topology.ends(e).into_iter().all(|v| is_marked(mesh.position(v)));
-        match topology.edge_faces(e) {
-            (_, None) => Some(ArcKind::Border),
-            (f, Some(g)) if mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos() => Some(ArcKind::Sharp),
-            _ => marked.then_some(ArcKind::Marked),
-        }
-    };
-    let kinds: IdVec<_, _> = topology.edge_ids().map(kind).collect();
+    let mut kinds = ArcKind::by_angle(mesh, topology, 40.0);
+    for e in topology.edge_ids().filter(|&e| topology.ends(e).into_iter().all(|v| is_marked(mesh.position(v)))) {
+        kinds[e].get_or_insert(ArcKind::Marked);
+    }
     Network::trace(mesh, topology, &kinds, is_corner, Vec::new())
 }
 

@@ -115,6 +115,22 @@ fn arc_lengths_wrap_on_loops_and_are_clamped_elsewhere() {
 }
 
 #[test]
+fn borders_and_marked_edges_are_no_crease_length() {
+    // Of the 24 halves of a cube's edges one is marked and one was not kept. A shell has borders only.
+    let mesh = fixtures::cube(2);
+    let topology = topology(&mesh);
+    let mut kinds = ArcKind::by_angle(&mesh, &topology, 40.0);
+    let sharp: Vec<_> = topology.edge_ids().filter(|&e| kinds[e].is_some()).collect();
+    assert_eq!(sharp.len(), 24);
+    kinds[sharp[0]] = Some(ArcKind::Marked);
+    kinds[sharp[1]] = None;
+    let network = Network::trace(&mesh, &topology, &kinds, |_| false, vec![topology.ends(sharp[1]).to_vec()]);
+    assert_eq!(network.crease_lengths(&mesh), [11.0, 0.5]);
+    let shell = fixtures::shell(8);
+    assert_eq!(traced(&shell).crease_lengths(&shell), [0.0, 0.0]);
+}
+
+#[test]
 fn a_corner_on_a_rim_opens_its_loop() {
     let mesh = fixtures::cylinder(1.0, 2.0, 24);
     let topology = topology(&mesh);

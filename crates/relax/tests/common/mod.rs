@@ -25,14 +25,7 @@ impl Bed {
     /// A working mesh with arcs where it bends by 40 degrees or more, and on its border; still without a domain.
     pub fn on(mesh: TriMesh) -> Self {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let kinds = topology
-            .edge_ids()
-            .map(|e| match topology.edge_faces(e) {
-                (_, None) => Some(ArcKind::Border),
-                (f, Some(g)) => (mesh.normal(f).dot(mesh.normal(g)) < 40f64.to_radians().cos()).then_some(ArcKind::Sharp),
-            })
-            .collect();
-        let network = Network::trace(&mesh, &topology, &kinds, |_| false, vec![]);
+        let network = Network::trace(&mesh, &topology, &ArcKind::by_angle(&mesh, &topology, 40.0), |_| false, vec![]);
         let normals = SheetNormals::new(&mesh, &topology, &network);
         let domain = TriMesh::new(vec![], vec![]).unwrap();
         let domain_topology = Topology::new(domain.faces(), 0).unwrap();
