@@ -72,7 +72,7 @@ impl Remesher {
         let levels = request.levels.to_string();
         let mut options = vec!["--levels", levels.as_str()];
         options.extend((!request.fit).then_some("--no-fit"));
-        self.call("remesh", request, &options, &levels, |report| {
+        self.call("remesh", request, &options, &["--levels", &levels], |report| {
             let clean = report["flipped"] == 0 && report["degenerate"] == 0;
             (!clean).then(|| "the report has flipped or degenerate triangles".to_owned())
         })
@@ -81,19 +81,19 @@ impl Remesher {
     /// Makes the base mesh alone and checks it and its map to the input: after a way there and back points may be off by
     /// `max_round_trip`, a share of the diagonal.
     pub(crate) fn base(&self, request: &Request, max_round_trip: f64) -> Result<Outcome> {
-        self.call("base", request, &[], "0", |report| match report["round_trip"].as_f64() {
+        self.call("base", request, &[], &["--levels=0", "--connectivity"], |report| match report["round_trip"].as_f64() {
             Some(error) if error <= max_round_trip => None,
             error => Some(format!("the base map brings points back {:.1e} of the diagonal off", error.unwrap_or(f64::NAN))),
         })
     }
 
-    /// Runs `verb`, then checks that the result has so many `levels` and that nothing is wrong with the report.
+    /// Runs `verb`, then `check` on the result, and looks whether anything is wrong with the report.
     fn call(
         &self,
         verb: &str,
         request: &Request,
         options: &[&str],
-        levels: &str,
+        check: &[&str],
         fault: impl FnOnce(&Value) -> Option<String>,
     ) -> Result<Outcome> {
         let name = request.input.file_name().unwrap_or_default().to_string_lossy();
@@ -108,7 +108,7 @@ impl Remesher {
         let ended = within(self.limit, &mut command, &folder)?;
         let seconds = ended.seconds;
         Ok(match ended.code {
-            Some(0) => match self.fault_of(&output, &ended.stdout, levels, fault)? {
+            Some(0) => match self.fault_of(&output, &ended.stdout, check, fault)? {
                 Ok(report) => Outcome::Remeshed { output, report, seconds },
                 Err(fault) => Outcome::Failed { fault },
             },
@@ -125,14 +125,13 @@ impl Remesher {
         &self,
         output: &Path,
         report: &str,
-        levels: &str,
+        check: &[&str],
         fault: impl FnOnce(&Value) -> Option<String>,
     ) -> Result<Result<Value, String>> {
         let Ok(report) = serde_json::from_str::<Value>(report) else {
             return Ok(Err("the report is not JSON".to_owned()));
         };
-        let check =
-            within(self.limit, Command::new(&self.binary).arg("check").arg(output).args(["--levels", levels]), &self.folder)?;
+        let check = within(self.limit, Command::new(&self.binary).arg("check").arg(output).args(check), &self.folder)?;
         Ok(match (check.code, fault(&report)) {
             (Some(0), None) => Ok(report),
             (Some(0), Some(fault)) => Err(fault),

@@ -1,16 +1,23 @@
-//! A base mesh that can be changed: flip, split, collapse and move a vertex, each recorded in the base map.
+//! A base mesh that can be changed: flip, split, move and take away a vertex, each recorded in the base map.
 //!
 //! Every edit keeps the mesh simplicial and its topology, or is refused and changes nothing.
 
-mod collapse;
 mod moves;
+mod removal;
+mod replace;
+mod samples;
 
 use crate::BaseError;
 use crate::layout::quad;
 use crate::star::{Face, Ring, edges_of};
 use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
+use rayon::prelude::*;
 use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, Sizing, Surface};
+pub(crate) use removal::{Filling, Removal};
+use replace::Edit;
+use rustc_hash::FxHashMap;
+use samples::{Placed, Samples};
 
 /// An edge counts as at most this many times as long as its chord: half a circle over its diameter.
 const LONGEST_DETOUR: f64 = 2.5;
@@ -19,18 +26,16 @@ const NEAR_START: f64 = 0.1;
 /// Steps in which the length of an edge is measured on the surface.
 const LENGTH_STEPS: usize = 4;
 
-/// A face that goes, with its corners and their places in a flat layout.
-type OldFace = (FaceId, [VertexId; 3], [DVec2; 3]);
-/// A face that comes in the same layout.
-type NewFace = ([VertexId; 3], [DVec2; 3]);
-/// What [`Editor::replace`] takes.
-type Edit = (Vec<OldFace>, Vec<NewFace>);
-
 /// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
 #[derive(Clone)]
 pub(crate) struct Editor<'a> {
     surface: &'a Surface<'a>,
     faces: IdVec<FaceId, Option<Face>>,
+    /// The samples in every face.
+    covered: IdVec<FaceId, Vec<Placed>>,
+    samples: Samples,
+    /// Surface lengths of edges; what the map makes of an edge stays the same as long as the edge is there.
+    lengths: FxHashMap<[VertexId; 2], f64>,
     star: IdVec<VertexId, Vec<FaceId>>,
     on_border: IdVec<VertexId, bool>,
     positions: IdVec<VertexId, DVec3>,
@@ -47,13 +52,28 @@ impl<'a> Editor<'a> {
         let on_border = base.positions().ids().map(|v| topology.is_border_vertex(v)).collect();
         let mut star = IdVec::filled(Vec::new(), base.n_vertices());
         let mut faces = IdVec::new();
+        let (samples, mut content) = Samples::new(surface, &map, map_faces.iter().map(|f| f.index() + 1).max().unwrap_or(0));
+        let mut covered = IdVec::new();
         for (f, &vertices) in base.faces().enumerate() {
-            let normal = surface_normal(surface, &map, map_faces[f]);
+            let here = covered.push(std::mem::take(&mut content[map_faces[f]]));
+            let normal = samples.mean_normal(&covered[here]).unwrap_or_else(|| surface_normal(surface, &map, map_faces[f]));
             faces.push(Some(Face { vertices, sheet: region.sheet_of_face[f], map: map_faces[f], normal }));
             vertices.iter().for_each(|&v| star[v].push(f));
         }
         let n_vertices = star.iter().filter(|s: &&Vec<FaceId>| !s.is_empty()).count();
-        Ok(Self { surface, faces, star, on_border, positions: base.positions().clone(), region, map, n_vertices })
+        Ok(Self {
+            surface,
+            faces,
+            covered,
+            samples,
+            lengths: FxHashMap::default(),
+            star,
+            on_border,
+            positions: base.positions().clone(),
+            region,
+            map,
+            n_vertices,
+        })
     }
 
     /// Number of vertices now.
@@ -105,6 +125,16 @@ impl<'a> Editor<'a> {
     /// Length on the surface of what the map makes of an edge, on an arc that of its span. A chord would not see a limb that the
     /// edge cuts off; but where the map itself winds, splitting the edge would only wind it more, so the detour is bounded.
     pub(crate) fn surface_length(&self, a: VertexId, b: VertexId) -> f64 {
+        self.lengths.get(&[a.min(b), a.max(b)]).copied().unwrap_or_else(|| self.measured_length(a, b))
+    }
+    /// All edges with their lengths on the surface, which are kept.
+    pub(crate) fn edges_with_lengths(&mut self) -> Vec<([VertexId; 2], f64)> {
+        let edges = self.edges();
+        let lengths: Vec<_> = edges.into_par_iter().map(|[a, b]| ([a, b], self.surface_length(a, b))).collect();
+        self.lengths.extend(lengths.iter().copied());
+        lengths
+    }
+    fn measured_length(&self, a: VertexId, b: VertexId) -> f64 {
         if let Some(span) = self.span(a, b) {
             return (span.to - span.from).abs();
         }
@@ -210,9 +240,9 @@ impl<'a> Editor<'a> {
             return false;
         }
         let [pa, pb, pc, pd] = quad([a, b, c, d].map(|v| self.positions[v]));
-        let old = [(f, [a, b, c], [pa, pb, pc]), (g, [b, a, d], [pb, pa, pd])];
-        let new = [([a, d, c], [pa, pd, pc]), ([d, b, c], [pd, pb, pc])];
-        self.replace(&old, &new)
+        let old = vec![(f, [a, b, c], [pa, pb, pc]), (g, [b, a, d], [pb, pa, pd])];
+        let new = vec![([a, d, c], [pa, pd, pc]), ([d, b, c], [pd, pb, pc])];
+        self.replace(&[Edit { old, new }], None)
     }
 
     /// Puts a vertex in the middle of an edge, on an arc at the middle of its span. `None` when that fails.
@@ -232,14 +262,17 @@ impl<'a> Editor<'a> {
             None => (Attachment::Sheet(face.sheet), self.map.locate(face.map, weights)),
         };
         let m = self.add_vertex(attachment, point, sides.contains(&None));
+        self.lengths.remove(&[a.min(b), a.max(b)]);
         // Halving a triangle means the same in every layout of it.
         let [pa, pb, pc] = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let pm = pa.midpoint(pb);
-        for (side, a, b) in [(sides[0], a, b), (sides[1], b, a)] {
-            let Some((f, c)) = side else { continue };
-            if !self.replace(&[(f, [a, b, c], [pa, pb, pc])], &[([a, m, c], [pa, pm, pc]), ([m, b, c], [pm, pb, pc])]) {
-                return None;
-            }
+        let halved = |(f, c): (FaceId, VertexId), a: VertexId, b: VertexId| Edit {
+            old: vec![(f, [a, b, c], [pa, pb, pc])],
+            new: vec![([a, m, c], [pa, pm, pc]), ([m, b, c], [pm, pb, pc])],
+        };
+        let edits = [sides[0].map(|side| halved(side, a, b)), sides[1].map(|side| halved(side, b, a))];
+        if !self.replace_anyway(&edits.into_iter().flatten().collect::<Vec<_>>()) {
+            return None;
         }
         if let Some(s) = span {
             let middle = 0.5 * (s.from + s.to);
@@ -261,7 +294,7 @@ impl<'a> Editor<'a> {
         let flat = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let middle = flat.iter().sum::<DVec2>() / 3.0;
         let part = |i: usize| ([face[i], face[(i + 1) % 3], m], [flat[i], flat[(i + 1) % 3], middle]);
-        if !self.replace(&[(id, face, flat)], &[part(0), part(1), part(2)]) {
+        if !self.replace_anyway(&[Edit { old: vec![(id, face, flat)], new: vec![part(0), part(1), part(2)] }]) {
             return None;
         }
         self.n_vertices += 1;
@@ -274,32 +307,6 @@ impl<'a> Editor<'a> {
         self.region.points.push(point);
         self.star.push(Vec::new());
         self.positions.push(point.position(self.surface.mesh))
-    }
-
-    /// Replaces faces by others over the same flat polygon, in the mesh and in the map.
-    fn replace(&mut self, old: &[OldFace], new: &[NewFace]) -> bool {
-        let Some(sheet) = old.first().and_then(|o| self.face(o.0)).map(|f| f.sheet) else { return false };
-        // The map knows a face by its own order of corners.
-        let turned: Option<Vec<(MapFaceId, [DVec2; 3])>> = old
-            .iter()
-            .map(|(f, vertices, layout)| {
-                let face = self.face(*f)?;
-                let c = vertices.iter().position(|&v| v == face.vertices[0])?;
-                Some((face.map, [0, 1, 2].map(|i| layout[(c + i) % 3])))
-            })
-            .collect();
-        let layouts: Vec<[DVec2; 3]> = new.iter().map(|n| n.1).collect();
-        let Some(made) = turned.and_then(|t| self.map.replace(&t, &layouts).ok()) else { return false };
-        for (f, vertices, _) in old {
-            vertices.iter().for_each(|&v| self.star[v].retain(|g| g != f));
-            self.faces[*f] = None;
-        }
-        for ((vertices, _), map) in new.iter().zip(made) {
-            let normal = surface_normal(self.surface, &self.map, map);
-            let f = self.faces.push(Some(Face { vertices: *vertices, sheet, map, normal }));
-            vertices.iter().for_each(|&v| self.star[v].push(f));
-        }
-        true
     }
 
     /// The base mesh, without holes in the numbering; corners of the network first, then the rest in order.

@@ -5,11 +5,13 @@
 //! mesh (rows of vertices along smooth arcs, thin patches without an inner vertex) is gone after a few rounds. Then single splits and
 //! collapses meet the wanted number of vertices.
 
-use crate::editor::Editor;
-use crate::shape::{collapsed_shape, flip_gain, is_ear, is_folded};
-use crate::{BaseError, BaseOptions};
+use crate::BaseOptions;
+use crate::editor::{Editor, Filling, Removal};
+use crate::flips::{flip_edges, settle};
+use crate::mend::mend_ears;
+use crate::shape::is_folded;
 use mesh_core::{VertexId, equilateral_edge_length};
-use region_map::{BaseCounts, BaseMesh, Sizing, Surface};
+use region_map::Sizing;
 
 /// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
 /// neither makes work for the other).
@@ -18,25 +20,14 @@ const LONG: f64 = 4.0 / 3.0;
 const SHORT: f64 = 4.0 / 5.0;
 /// Edges get longer by at most this factor from one round of collapses to the next.
 const COARSENING: f64 = 1.2;
-/// Moves of all vertices in a round.
-const MOVES: usize = 2;
+/// From this share of the wanted length on vertices are moved, too, before the next round of collapses.
+const NEAR: f64 = 0.8;
 /// Quality (AR) that a collapse must leave, unless it was worse before.
 const LEAST_QUALITY: f64 = 0.25;
-/// Flips must gain this much, or rounding could make them cycle.
-const LEAST_GAIN: f64 = 1e-6;
-/// Flips don't make edges longer than so many times their chord.
-const MOST_DETOUR: f64 = 1.5;
-/// A few folds come and go; with more than this many beyond twice the fewest the rounds end.
-const MANY_FOLDED: usize = 10;
-/// Passes of flips after a round; most need two or three.
-const FLIP_PASSES: usize = 6;
-/// A triangle of lower quality (AR) in a base mesh from elsewhere is a needle. Vertices that are off the surface can end up side by
-/// side on it (block's QEM base of 524 vertices: 2e-5 of a mean edge apart).
-const NEEDLE: f64 = 0.01;
-/// Passes over the ears of a base mesh from elsewhere.
-const EAR_ROUNDS: usize = 10;
-/// Moves of the vertices of needles.
-const NEEDLE_ROUNDS: usize = 5;
+/// So many vertices too many or too few are as bad as one folded face.
+const FOLD_WORTH: usize = 10;
+/// Where corners and arcs need more vertices than asked, the other edges get longer by at most this factor to make up for it.
+const MOST_STRETCHED: f64 = 1.6;
 /// A pass that closes less than this share of the gap to the wanted number of vertices is the last: corners and arcs don't allow
 /// more.
 const LEAST_PROGRESS: f64 = 0.05;
@@ -57,150 +48,43 @@ pub(crate) fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOp
     while start < length / COARSENING {
         start *= COARSENING;
         collapse_short(editor, sizing, SHORT * start, LONG * start);
-        settle(editor);
+        // Far from the wanted length the moves of one step are undone by the next.
+        if start < NEAR * length {
+            flip_edges(editor);
+        } else {
+            settle(editor);
+        }
         collapse_folded(editor);
     }
     let mut best = (usize::MAX, editor.clone());
+    let longest_wanted = MOST_STRETCHED * length;
     for _ in 0..options.rounds {
         split_long(editor, sizing, LONG * length);
         collapse_short(editor, sizing, SHORT * length, LONG * length);
         settle(editor);
         collapse_folded(editor);
         let ratio = editor.n_vertices() as f64 / options.base_vertices as f64;
-        length *= ratio.sqrt().clamp(0.8, 1.25);
+        length = (length * ratio.sqrt().clamp(0.8, 1.25)).min(longest_wanted);
         // Where the wanted edges are too long for the shape, folds breed folds: then what was before is better.
         let folded = n_folded(editor);
-        if folded <= best.0 {
-            best = (folded, editor.clone());
-        } else if folded > 2 * best.0 + MANY_FOLDED {
-            break;
+        let cost = FOLD_WORTH * folded + editor.n_vertices().abs_diff(options.base_vertices);
+        if cost <= best.0 {
+            best = (cost, editor.clone());
         }
     }
     *editor = best.1;
-    cut_ears(editor);
+    mend_ears(editor);
+    flip_edges(editor);
     meet_count(editor, sizing, options.base_vertices);
-    cut_ears(editor);
-}
-
-/// Cuts the ears that flips could not take away: at the edge off the arcs, or where there is none (a disk inside a small loop) at a
-/// new vertex inside.
-fn cut_ears(editor: &mut Editor<'_>) {
-    for face in editor.faces() {
-        if !is_ear(editor, face) || !editor.is_face(face) {
-            continue;
-        }
-        let sides = [0, 1, 2].map(|i| [face[i], face[(i + 1) % 3]]);
-        match sides.into_iter().find(|&[a, b]| editor.span(a, b).is_none()) {
-            Some([a, b]) => editor.split(a, b),
-            None => editor.split_face(face),
-        };
-    }
+    mend_ears(editor);
     flip_edges(editor);
-}
-
-/// What was mended in a base mesh from elsewhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Mended {
-    /// Triangles with two edges on arcs that go on nearly straight at their common vertex: their subdivisions end in a triangle without
-    /// area there. They were taken away by flips, or where those do not help by splits.
-    pub ears: usize,
-    /// Vertices of needles that were moved inside their sheet.
-    pub moved: usize,
-}
-
-/// Mends what would end in triangles without area, and nothing else: see [`Mended`].
-pub fn mend(surface: &Surface<'_>, base: BaseMesh) -> Result<(BaseMesh, Mended), BaseError> {
-    let counts = base.counts.clone();
-    let mut editor = Editor::new(surface, base)?;
-    let mut mended = Mended::default();
-    // A flip can leave the next ear of a row.
-    for _ in 0..EAR_ROUNDS {
-        let before = mended.ears;
-        for face in editor.faces() {
-            if editor.is_face(face) && is_ear(&editor, face) {
-                mend_ear(&mut editor, face);
-                mended.ears += 1;
-            }
-        }
-        if mended.ears == before {
-            break;
-        }
-    }
-    for _ in 0..NEEDLE_ROUNDS {
-        let quality = |f: &[VertexId; 3]| mesh_core::aspect_ratio(f.map(|v| editor.position(v)));
-        let mut crowded: Vec<VertexId> = editor.faces().into_iter().filter(|f| quality(f) < NEEDLE).flatten().collect();
-        crowded.sort_unstable();
-        crowded.dedup();
-        mended.moved = mended.moved.max(crowded.into_iter().filter(|&v| editor.relax_vertex(v)).count());
-    }
-    let mut base = editor.finish()?;
-    base.counts = BaseCounts { made: base.mesh.n_vertices(), ..counts };
-    Ok((base, mended))
-}
-
-fn mend_ear(editor: &mut Editor<'_>, face: [VertexId; 3]) {
-    let sides = [0, 1, 2].map(|i| [face[i], face[(i + 1) % 3]]);
-    match sides.into_iter().find(|&[a, b]| editor.span(a, b).is_none()) {
-        Some([a, b]) if flip_gain(editor, a, b) > LEAST_GAIN && editor.flip(a, b) => {}
-        Some([a, b]) => {
-            editor.split(a, b);
-        }
-        None => {
-            editor.split_face(face);
-        }
-    }
-}
-
-/// Flips and moves until neither gains much.
-fn settle(editor: &mut Editor<'_>) {
-    for _ in 0..MOVES {
-        flip_edges(editor);
-        for v in editor.vertices() {
-            if !editor.relax_vertex(v) {
-                editor.slide_vertex(v);
-            }
-        }
-    }
-    flip_edges(editor);
-}
-
-/// Passes of flips until none gains: the first over all edges, the others round the flips of the one before.
-fn flip_edges(editor: &mut Editor<'_>) {
-    let mut edges = editor.edges();
-    for _ in 0..FLIP_PASSES {
-        let mut changed = Vec::new();
-        for [a, b] in edges {
-            if flip_gain(editor, a, b) > LEAST_GAIN {
-                changed.extend(flip_unless_it_winds(editor, a, b).into_iter().flatten());
-            }
-        }
-        changed.sort_unstable();
-        changed.dedup();
-        edges = editor.edges_near(&changed);
-    }
-}
-
-/// Flips an edge, but not to one that takes a detour on the surface: round a limb, the chord may be short where the edge goes the other
-/// way, and triangles that look well wind up there. Returns the corners of the two faces if it was flipped.
-fn flip_unless_it_winds(editor: &mut Editor<'_>, a: VertexId, b: VertexId) -> Option<[VertexId; 4]> {
-    let [Some((_, c)), Some((_, d))] = editor.faces_beside(a, b) else { return None };
-    let before = editor.detour(a, b);
-    let mends = is_folded(editor, [a, b, c]) || is_folded(editor, [b, a, d]);
-    if !editor.flip(a, b) {
-        return None;
-    }
-    if !mends && editor.detour(c, d) > before.max(MOST_DETOUR) {
-        editor.flip(c, d);
-        return None;
-    }
-    Some([a, b, c, d])
 }
 
 /// Edges with their lengths over what the sizing field says, the longest first.
-fn by_length(editor: &Editor<'_>, sizing: &Sizing) -> Vec<(f64, [VertexId; 2])> {
-    let relative =
-        |[a, b]: [VertexId; 2]| editor.surface_length(a, b) / (0.5 * (editor.size(sizing, a) + editor.size(sizing, b)));
-    let mut edges: Vec<_> = editor.edges().into_iter().map(|e| (relative(e), e)).collect();
+fn by_length(editor: &mut Editor<'_>, sizing: &Sizing) -> Vec<(f64, [VertexId; 2])> {
+    let lengths = editor.edges_with_lengths();
+    let wanted = |[a, b]: [VertexId; 2]| 0.5 * (editor.size(sizing, a) + editor.size(sizing, b));
+    let mut edges: Vec<_> = lengths.into_iter().map(|(e, length)| (length / wanted(e), e)).collect();
     edges.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     edges
 }
@@ -228,14 +112,8 @@ fn collapse_folded(editor: &mut Editor<'_>) {
         if !editor.is_face(face) || !is_folded(editor, face) {
             continue;
         }
-        let sides = [0, 1, 2].map(|i| (face[i], face[(i + 1) % 3])).into_iter();
-        let mut ways: Vec<(f64, VertexId, VertexId)> = sides
-            .flat_map(|(a, b)| [(a, b), (b, a)])
-            .filter_map(|(from, to)| Some((collapsed_shape(editor, from, to)?.quality, from, to)))
-            .filter(|way| way.0 > 0.0)
-            .collect();
-        ways.sort_by(|x, y| y.0.total_cmp(&x.0));
-        ways.into_iter().any(|(_, from, to)| editor.collapse(from, to));
+        let ways = face.map(|v| (v, Filling::Cheapest));
+        take_best(editor, &ways, |removal| removal.quality > 0.0);
     }
     flip_edges(editor);
 }
@@ -244,18 +122,19 @@ fn n_folded(editor: &Editor<'_>) -> usize {
     editor.faces().into_iter().filter(|&f| is_folded(editor, f)).count()
 }
 
-/// Collapses an edge the way that leaves the better triangles, if these are good enough and no edge longer than `longest`.
+/// Takes one end of an edge away, if the triangles then are good enough and no edge is longer than `longest`.
 fn collapse_edge(editor: &mut Editor<'_>, a: VertexId, b: VertexId, longest: f64) -> bool {
-    let mut ways: Vec<(f64, VertexId, VertexId)> = [(a, b), (b, a)]
-        .into_iter()
-        .filter_map(|(from, to)| {
-            let shape = collapsed_shape(editor, from, to)?;
-            let allowed = shape.longest <= longest && shape.quality >= LEAST_QUALITY.min(shape.quality_before);
-            allowed.then_some((shape.quality, from, to))
-        })
-        .collect();
-    ways.sort_by(|x, y| y.0.total_cmp(&x.0));
-    ways.into_iter().any(|(_, from, to)| editor.collapse(from, to))
+    let is_good = |r: &Removal| r.longest <= longest && r.quality >= LEAST_QUALITY.min(r.quality_before);
+    take_best(editor, &[(a, Filling::Fan(b)), (b, Filling::Fan(a))], is_good)
+        || take_best(editor, &[(a, Filling::Cheapest), (b, Filling::Cheapest)], is_good)
+}
+
+/// Takes a vertex away in that one of some ways that leaves the best triangles, if it may be. False when none could be taken.
+fn take_best(editor: &mut Editor<'_>, ways: &[(VertexId, Filling)], may_be: impl Fn(&Removal) -> bool) -> bool {
+    let removals = ways.iter().filter_map(|&(v, filling)| editor.removal(v, filling));
+    let mut removals: Vec<Removal> = removals.filter(may_be).collect();
+    removals.sort_by(|a, b| b.quality.total_cmp(&a.quality));
+    removals.iter().any(|removal| editor.take_away(removal))
 }
 
 /// Splits the longest and collapses the shortest edges until the number of vertices is the one wanted.

@@ -34,10 +34,14 @@
 mod assemble;
 mod build;
 mod chart;
+mod decimate;
 mod editor;
 mod error;
+mod filling;
+mod flips;
 mod improve;
 mod layout;
+mod mend;
 mod patch_cdt;
 mod piece_mesh;
 mod polygon;
@@ -50,6 +54,7 @@ mod tests;
 mod tutte;
 
 pub use build::{BaseOptions, build};
+pub use decimate::decimate;
 pub use error::BaseError;
-pub use improve::{Mended, mend};
+pub use mend::{Mended, mend};
 pub use tutte::lay_flat;

@@ -17,9 +17,6 @@ const EAR_COSINE: f64 = -0.866;
 /// Cap on the shape cost, so that one needle does not outweigh all.
 const WORST_SHAPE: f64 = 100.0;
 
-/// A collapse may turn a triangle so far from the surface's normal (a cosine).
-const MOST_TURNED: f64 = 0.3;
-
 /// Quality (AR) of a triangle, negative for one that faces against `normal`.
 pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
     mesh_core::aspect_ratio(t).copysign(mesh_core::vector_area(t).dot(normal))
@@ -88,36 +85,4 @@ fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
     };
     let angle: f64 = editor.faces_at(v).map(angle_in).sum();
     angle / 60f64.to_radians() + f64::from(editor.is_on_border(v))
-}
-
-/// The triangles that a collapse would leave.
-pub(crate) struct CollapsedShape {
-    /// Least quality (AR) among them, -1 for one that is turned far from the surface.
-    pub(crate) quality: f64,
-    /// Least quality among those that are there now, negative for one that faces against the surface.
-    pub(crate) quality_before: f64,
-    /// Longest edge among them.
-    pub(crate) longest: f64,
-}
-
-/// What collapsing `from` into `to` would leave; `None` where there is no such edge.
-pub(crate) fn collapsed_shape(editor: &Editor<'_>, from: VertexId, to: VertexId) -> Option<CollapsedShape> {
-    if !editor.is_edge(from, to) {
-        return None;
-    }
-    let target = editor.position(to);
-    let mut shape = CollapsedShape { quality: 1.0, quality_before: 1.0, longest: 0.0 };
-    for face in editor.faces_at(from) {
-        shape.quality_before = shape.quality_before.min(signed_quality(editor.triangle(&face), face.normal));
-        if face.vertices.contains(&to) {
-            continue;
-        }
-        let then = face.vertices.map(|v| if v == from { target } else { editor.position(v) });
-        let turned = mesh_core::normal(then).dot(face.normal) < MOST_TURNED;
-        shape.quality = shape.quality.min(if turned { -1.0 } else { mesh_core::aspect_ratio(then) });
-        for v in face.vertices {
-            shape.longest = shape.longest.max(target.distance(editor.position(v)));
-        }
-    }
-    Some(shape)
 }

@@ -1,6 +1,6 @@
 //! Tests of the stage on shapes with known patches.
 
-use crate::editor::Editor;
+use crate::editor::{Editor, Filling};
 use crate::shapes::Shape;
 use proptest::prelude::*;
 use region_map::BaseMesh;
@@ -74,8 +74,8 @@ fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usiz
         done += usize::from(match what % 7 {
             0 => editor.flip(a, b),
             1 => editor.split(a, b).is_some(),
-            2 => editor.collapse(a, b),
-            3 => editor.collapse(b, a),
+            2 => editor.removal(a, Filling::Fan(b)).is_some_and(|removal| editor.take_away(&removal)),
+            3 => editor.removal(a, Filling::Cheapest).is_some_and(|removal| editor.take_away(&removal)),
             4 => editor.faces_beside(a, b)[0].is_some_and(|(f, _)| editor.split_face(f.vertices).is_some()),
             5 => editor.slide_vertex(a),
             _ => editor.relax_vertex(a),

@@ -10,7 +10,9 @@ use std::collections::BTreeMap;
 /// How the neighbours are weighed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Weights {
-    /// Half the cotangents of the opposite angles, clamped to [`LEAST_COTANGENT`]..[`GREATEST_COTANGENT`]: little distortion.
+    /// Half the cotangents of the opposite angles: harmonic, flat regions keep their shape. May fold beside obtuse angles.
+    Harmonic,
+    /// The same, clamped to [`LEAST_COTANGENT`]..[`GREATEST_COTANGENT`]: little distortion.
     Cotangent,
     /// All the same: blind to shape, hence safest where triangles are bad.
     Uniform,
@@ -20,6 +22,8 @@ pub(crate) enum Weights {
 const LEAST_COTANGENT: f64 = 0.05;
 /// Needles give huge ones, which ruin the condition of the system.
 const GREATEST_COTANGENT: f64 = 20.0;
+/// Triangles without area must not spoil the harmonic system, either.
+const GREATEST_HARMONIC: f64 = 1e4;
 /// Relative residual that the iteration goes down to.
 const RESIDUAL: f64 = 1e-14;
 
@@ -27,7 +31,7 @@ const RESIDUAL: f64 = 1e-14;
 /// rounding folds the map with all weights. No inner edge may join two fixed vertices.
 pub fn lay_flat(positions: &[DVec3], pieces: Vec<ChartFace>, fixed: &[Option<DVec2>]) -> Option<Chart> {
     let chart = |weights| Chart::new(solve(positions, &pieces, fixed, weights), pieces.clone()).ok();
-    [Weights::Cotangent, Weights::Uniform].into_iter().find_map(chart)
+    [Weights::Harmonic, Weights::Cotangent, Weights::Uniform].into_iter().find_map(chart)
 }
 
 /// Positions in the plane of all vertices, with those that `fixed` gives a position to held there.
@@ -84,6 +88,9 @@ fn cotangent(positions: &[DVec3], [a, b, o]: [u32; 3], weights: Weights) -> f64 
     }
     let (u, v) = (positions[a as usize] - positions[o as usize], positions[b as usize] - positions[o as usize]);
     let cotangent = u.dot(v) / u.cross(v).length();
+    if weights == Weights::Harmonic {
+        return if cotangent.is_finite() { cotangent.clamp(-GREATEST_HARMONIC, GREATEST_HARMONIC) } else { 0.0 };
+    }
     if cotangent.is_nan() { LEAST_COTANGENT } else { cotangent.clamp(LEAST_COTANGENT, GREATEST_COTANGENT) }
 }
 

@@ -121,6 +121,9 @@ pub(crate) struct CheckArgs {
     /// Subdivision levels that it shall have
     #[arg(long, value_name = "L", default_value_t = 3, value_parser = value_parser!(u32).range(0..=8))]
     pub(crate) levels: u32,
+    /// Triangles without area are told, but no fault: for a base mesh, which is judged by its connectivity
+    #[arg(long)]
+    pub(crate) connectivity: bool,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

@@ -225,7 +225,7 @@ pub(crate) fn repairs(report: &CleanReport) -> Vec<(&'static str, usize)> {
         vertex_copies,
         zero_area_flipped,
         zero_area_dropped,
-        zero_area_kept,
+        zero_area_opened,
         unused_vertices,
     } = report;
     vec![
@@ -244,7 +244,7 @@ pub(crate) fn repairs(report: &CleanReport) -> Vec<(&'static str, usize)> {
         ("vertex_copies", vertex_copies),
         ("zero_area_flipped", zero_area_flipped),
         ("zero_area_dropped", zero_area_dropped),
-        ("zero_area_kept", zero_area_kept),
+        ("zero_area_opened", zero_area_opened),
         ("unused_vertices", unused_vertices),
     ]
 }

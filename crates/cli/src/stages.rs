@@ -4,7 +4,7 @@ use anyhow::Context as _;
 use glam::DVec2;
 use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, Topology, TriMesh, VertexId, aspect_ratio};
 use region_map::{ArcKind, BaseMap, Network};
-use semireg::{BaseStages, Remeshed};
+use semireg::{BaseStages, Patches, Remeshed};
 use std::fs;
 use std::path::Path;
 use view::{Line, Point, Rgb, Scene, ViewOptions, distance_color, palette, quality_color, render, valence_color};
@@ -38,18 +38,17 @@ pub(crate) fn write(folder: &Path, remeshed: &Remeshed) -> anyhow::Result<()> {
     save_all(folder, &pictures)
 }
 
-/// Writes `01-input.png` to `05-base.ply`, what the stages up to the base mesh made, and all charts as `05-charts.svg`.
+/// Writes `01-input.png` to `05-base.ply`, what the stages up to the base mesh made, and all charts as `05-charts.svg`. Patches, sites
+/// and charts are those of the paper's way, where it led to a base mesh, even if another one was the better.
 pub(crate) fn write_base(folder: &Path, base: &BaseStages) -> anyhow::Result<()> {
-    let pictures = [
-        ("01-input", input(base)),
-        ("02-features", features(base)),
-        ("03-patches", patches(base)),
-        ("04-sites", sites(base)),
-        ("05-base", base_mesh(base)),
-    ];
-    save_all(folder, &pictures)?;
+    save_all(folder, &[("01-input", input(base)), ("02-features", features(base)), ("05-base", base_mesh(base))])?;
+    let mut map = &base.base.map;
+    if let Some(made) = &base.patches {
+        save_all(folder, &[("03-patches", patches(base, made)), ("04-sites", sites(base, made))])?;
+        map = &made.base.map;
+    }
     let svg = folder.join("05-charts.svg");
-    fs::write(&svg, charts(&base.base.map).to_svg()).with_context(|| format!("cannot write {}", svg.display()))
+    fs::write(&svg, charts(map).to_svg()).with_context(|| format!("cannot write {}", svg.display()))
 }
 
 fn save_all(folder: &Path, pictures: &[(&str, Scene)]) -> anyhow::Result<()> {
@@ -100,25 +99,25 @@ fn arc_color(kind: ArcKind) -> Rgb {
 }
 
 /// Patches in colours, all their arcs.
-fn patches(base: &BaseStages) -> Scene<'_> {
+fn patches<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
     let mesh = &base.working.mesh;
-    let colors = base.segmentation.patch_of_face.iter().map(|p| palette(p.index())).collect();
-    let smooth = base.cells.arcs.iter().filter(|arc| arc.on.is_none());
+    let colors = made.segmentation.patch_of_face.iter().map(|p| palette(p.index())).collect();
+    let smooth = made.cells.arcs.iter().filter(|arc| arc.on.is_none());
     let lines = smooth.flat_map(|arc| along(mesh, &arc.vertices, DARK, THIN)).chain(arcs(mesh, &base.network)).collect();
     Scene { face_colors: Some(colors), lines, ..Scene::new(mesh) }
 }
 
 /// Sites at corners (dark), on arcs (red) and in patches (blue).
-fn sites(base: &BaseStages) -> Scene<'_> {
-    let (mesh, cells) = (&base.working.mesh, &base.cells);
-    let mut scene = patches(base);
+fn sites<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
+    let (mesh, cells) = (&base.working.mesh, &made.cells);
+    let mut scene = patches(base, made);
     scene.face_colors = scene.face_colors.map(|colors| colors.iter().map(|&c| pale(c)).collect());
     scene.points.extend(cells.corners.iter().map(|&v| dot(mesh, v, DARK)));
-    for (arc, lengths) in base.sites.on_arcs.enumerate() {
+    for (arc, lengths) in made.sites.on_arcs.enumerate() {
         let at = |&t: &f64| Point { at: cells.arcs[arc].position(mesh, t), color: RED, width: DOT };
         scene.points.extend(lengths.iter().map(at));
     }
-    let inner = base.sites.in_patches.iter().flatten();
+    let inner = made.sites.in_patches.iter().flatten();
     scene.points.extend(inner.map(|site| Point { at: site.position(mesh), color: BLUE, width: DOT }));
     scene
 }

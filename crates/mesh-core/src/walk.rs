@@ -21,6 +21,9 @@ const LEAST_SLIDE: f64 = 1e-9;
 /// A start on an edge leaves its own face at once for one whose plane keeps this share of the way: between the two sides of an
 /// edge sharper than 60 degrees the way is turned instead, as it is anywhere else.
 const LEAST_INWARD: f64 = 0.5;
+/// A walk ends after this many steps from face to face. Between needles that meet in one vertex it can go on for as long as it likes
+/// (crank_cse: minutes for one relaxation, when this grew with the mesh).
+const MOST_STEPS: usize = 4096;
 /// Turning around a vertex stops after this many rounds: less than 360 / 16 degrees of surface are a spike.
 const MOST_ROUNDS: usize = 16;
 
@@ -52,7 +55,7 @@ pub fn walk(
     let surface = Surface { mesh, topology, may_cross };
     let mut walker = surface.set_off(start, displacement);
     let mut stopped = false;
-    for _ in 0..64 + 4 * topology.n_faces() {
+    for _ in 0..MOST_STEPS {
         match surface.step(&walker) {
             Step::Arrived(end) => return surface.finish(end, stopped),
             Step::On(next) => walker = next,

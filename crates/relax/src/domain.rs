@@ -14,6 +14,8 @@ pub(crate) struct Domain<'a> {
     pub(crate) freedoms: IdVec<VertexId, Freedom>,
     /// Which normal each face takes at each of its corners.
     normals: IdVec<HalfedgeId, CornerNormal>,
+    /// No vertex inside a sheet moves farther in a step.
+    pub(crate) longest_move: f64,
 }
 
 /// What a vertex is free to do.
@@ -81,7 +83,8 @@ impl<'a> Domain<'a> {
                 _ => {}
             }
         }
-        Ok(Self { surface, topology, map, freedoms, normals })
+        let mean_edge = (surface.mesh.total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
+        Ok(Self { surface, topology, map, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
     }
 
     /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of
@@ -99,6 +102,9 @@ impl<'a> Domain<'a> {
     }
 }
 
+/// A vertex inside a sheet moves this many mean edges in a step at most. While triangles are inverted, steps of thousands of diagonals
+/// come up, and a walk that long goes round and round (crank_cse: minutes).
+const LONGEST_MOVE: f64 = 4.0;
 /// Gaps between neighbours on an arc get longer than at the start by at most this factor.
 const STRETCH: f64 = 3.0;
 

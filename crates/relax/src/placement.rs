@@ -176,7 +176,8 @@ impl Domain<'_> {
                 self.spot_on_arc(rail, spot.t + slide.clamp(back.min(0.0), forth.max(0.0)))
             }
             Freedom::Sheet => {
-                let Self { surface, .. } = self;
+                let Self { surface, longest_move, .. } = self;
+                let displacement = displacement.clamp_length_max(*longest_move);
                 let may_cross = |e| !surface.network.is_barrier(e);
                 self.spot_on_sheet(walk(surface.mesh, surface.topology, spot.point, displacement, may_cross).end)
             }

@@ -30,6 +30,7 @@ fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<d
     let options = Options { base_vertices: Some(BASE_VERTICES), levels: LEVELS, ..Options::default() };
     let remeshed = remesh(soup, &options)?;
     let Stages { base: stages, .. } = &remeshed.stages;
+    let patches = stages.patches.as_ref().ok_or("no patches")?;
     let (cleaned, mesh, topology) = (&stages.cleaned, &stages.working.mesh, &stages.working.topology);
     let surface = Surface { mesh, topology, network: &stages.network, normals: &stages.normals };
     let base_edge_length = mesh_core::equilateral_edge_length(mesh.total_area(), BASE_VERTICES);
@@ -58,8 +59,9 @@ fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<d
     group.bench_function("features", |b| b.iter(|| features::detect(mesh, topology, &detecting)));
     group.bench_function("segment", |b| b.iter(|| segment_vsa::segment(mesh, topology, &stages.network, &segmenting)));
     group.bench_function("sizing", |b| b.iter(|| sizing::sizing(&surface, &sizing_options)));
-    group.bench_function("sample", |b| b.iter(|| segment_cvt::sample(mesh, &stages.cells, &uniform, &sampling)));
-    group.bench_function("base", |b| b.iter(|| basemesh::build(&surface, &stages.cells, &stages.sites, &sizing, &building)));
+    group.bench_function("sample", |b| b.iter(|| segment_cvt::sample(mesh, &patches.cells, &uniform, &sampling)));
+    group.bench_function("base", |b| b.iter(|| basemesh::build(&surface, &patches.cells, &patches.sites, &sizing, &building)));
+    group.bench_function("decimate", |b| b.iter(|| basemesh::decimate(&surface, &sizing, &building)));
     group.bench_function("subdivide", |b| b.iter(|| subdiv::subdivide(&stages.base.mesh, &stages.base.region, LEVELS)));
     let projecting = || project::project(&surface, &domain.mesh, &domain.region, origins, &options.project);
     group.bench_function("project", |b| b.iter(projecting));

@@ -5,7 +5,7 @@ use crate::BaseStages;
 impl BaseStages {
     /// Patches, network corners and network arcs.
     pub fn cell_counts(&self) -> [usize; 3] {
-        [self.segmentation.n_patches, self.network.corners.len(), self.network.arcs.len()]
+        [self.patches.as_ref().map_or(0, |p| p.segmentation.n_patches), self.network.corners.len(), self.network.arcs.len()]
     }
 
     /// Length of the creases that were kept in the network, and of those that were left out as minor, in the units of the mesh.

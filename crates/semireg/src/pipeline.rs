@@ -1,7 +1,8 @@
 //! The stages in order.
 
-use crate::base_stages::{BaseStages, Input};
+use crate::base_stages::BaseStages;
 use crate::fitting::fit_and_certify;
+use crate::input::Input;
 use crate::ladder::{climb, climb_to_base};
 use crate::snapping::{Settled, settle};
 use crate::{Error, Options, Report, StageSeconds};
@@ -38,8 +39,10 @@ pub struct Remeshed {
 
 /// Triangles of a result beyond which it is refused: it would take hours and tens of gigabytes.
 pub const MAX_TRIANGLES: u64 = 50_000_000;
-/// A result with a greater share of folded triangles is not worth a certificate.
+/// A result with a greater share of folded triangles is not worth to be snapped. Snapping mended up to .032 (brick_small).
 const HOPELESS: f64 = 0.04;
+/// A result with a greater share of folded triangles is not worth a fit and a certificate: neither mends any.
+const HOPELESS_AT_LAST: f64 = 1e-3;
 
 /// Remeshes a soup of triangles: all stages, then the certificate. Nothing is returned that does not pass it.
 ///
@@ -94,11 +97,9 @@ pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeco
     let topology = Topology::new(projected.mesh.faces(), projected.mesh.n_vertices())?;
     let relaxed =
         seconds.time("relax", || relax::relax(&surface, &projected.mesh, &topology, &projected.region, &options.relax))?;
-    let (inverted, faces) = (relaxed.report.end.inverted, relaxed.mesh.n_faces());
-    if inverted as f64 > HOPELESS * faces as f64 {
-        return Err(Error::Folded { inverted, faces });
-    }
+    is_worth_more(&relaxed, HOPELESS)?;
     let settled = seconds.time("snap", || settle(&surface, relaxed, &topology, &options.relax));
+    is_worth_more(&settled.relaxed, HOPELESS_AT_LAST)?;
     let Settled { network, normals, relaxed, snapped, warning } = settled;
     let surface = Surface { network: &network, normals: &normals, ..surface };
     let relaxed_domain = (relaxed.mesh, relaxed.map);
@@ -125,4 +126,10 @@ pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeco
         base: stages,
     };
     Ok(Remeshed { mesh: certified.mesh, report, stages })
+}
+
+/// Fails where more than a share of the triangles is folded.
+fn is_worth_more(relaxed: &relax::Relaxed, most_folded: f64) -> Result<(), Error> {
+    let (inverted, faces) = (relaxed.report.end.inverted, relaxed.mesh.n_faces());
+    if inverted as f64 > most_folded * faces as f64 { Err(Error::Folded { inverted, faces }) } else { Ok(()) }
 }

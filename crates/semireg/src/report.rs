@@ -14,12 +14,18 @@ impl StageSeconds {
     pub(crate) fn time<T>(&mut self, stage: &'static str, run: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let result = run();
-        let seconds = start.elapsed().as_secs_f64();
-        match self.0.iter_mut().find(|s| s.0 == stage) {
-            Some(entry) => entry.1 += seconds,
-            None => self.0.push((stage, seconds)),
-        }
+        self.add(&Self(vec![(stage, start.elapsed().as_secs_f64())]));
         result
+    }
+
+    /// Adds the times of others.
+    pub(crate) fn add(&mut self, other: &Self) {
+        for &(stage, seconds) in &other.0 {
+            match self.0.iter_mut().find(|s| s.0 == stage) {
+                Some(entry) => entry.1 += seconds,
+                None => self.0.push((stage, seconds)),
+            }
+        }
     }
 }
 

@@ -1,12 +1,13 @@
 //! The pipeline with a base mesh from elsewhere in the place of our own.
 
-use crate::base_stages::{BaseStages, Input, mean_edge_length};
+use crate::base_stages::{BaseStages, Way};
+use crate::input::Input;
 use crate::pipeline::{finest_triangles, run};
 use crate::{Error, Options, Remeshed, StageSeconds};
 use basemesh::Mended;
 use features::FeatureOptions;
-use mesh_core::{CleanOptions, CleanReport, Cleaned, IdVec, Soup, Topology, TriMesh};
-use region_map::{Cells, PatchId, Segmentation, SheetNormals, Sites, Surface};
+use mesh_core::{CleanOptions, CleanReport, Cleaned, Soup, Topology, TriMesh, equilateral_edge_length};
+use region_map::{SheetNormals, Surface};
 use trace_base::Traced;
 
 /// Remeshes a soup of triangles with a given base mesh, whose vertices and faces keep their order: it is traced onto the input, then
@@ -64,7 +65,7 @@ fn stages(
     seconds: &mut StageSeconds,
 ) -> Result<(BaseStages, Option<trace_base::Untraced>), Error> {
     let (mesh, topology) = (&input.working.mesh, &input.working.topology);
-    let base_edge_length = mean_edge_length(mesh, base.n_vertices());
+    let base_edge_length = equilateral_edge_length(mesh.total_area(), base.n_vertices());
     let feature_options = FeatureOptions { base_edge_length, ..options.features.clone() };
     let network = seconds.time("features", || features::detect(mesh, topology, &feature_options))?;
     let Traced { network: followed, base, untraced } =
@@ -99,9 +100,8 @@ fn stages(
         working: input.working.clone(),
         normals,
         network: followed,
-        segmentation: Segmentation { patch_of_face: IdVec::filled(PatchId(0), mesh.n_faces()), n_patches: 0 },
-        cells: Cells { corners: IdVec::new(), arcs: IdVec::new(), patches: IdVec::new() },
-        sites: Sites { on_arcs: IdVec::new(), in_patches: IdVec::new() },
+        patches: None,
+        way: Way::Given,
         base,
         warnings: std::mem::take(warnings),
     };

@@ -64,8 +64,9 @@ fn check_map(at: &str, stages: &BaseStages) {
 }
 
 fn check_cells(at: &str, stages: &BaseStages) {
+    let Some(patches) = &stages.patches else { panic!("{at}: no patches") };
     let (mesh, topology) = (&stages.working.mesh, &stages.working.topology);
-    let cells = Cells::trace(mesh, topology, &stages.network, &stages.segmentation).unwrap_or_else(|e| panic!("{at}: {e}"));
+    let cells = Cells::trace(mesh, topology, &stages.network, &patches.segmentation).unwrap_or_else(|e| panic!("{at}: {e}"));
     // Vertices, edges and faces of the complex: disks only, so it has the Euler number of the surface.
     let euler = cells.corners.len() as i64 - cells.arcs.len() as i64 + cells.patches.len() as i64;
     assert_eq!(euler, topology.euler(), "{at}: Euler number of the cells");

@@ -2,7 +2,7 @@
 
 use crate::Untraced;
 use crate::cut_mesh::CutMesh;
-use crate::trace::Paths;
+use crate::tracer::Paths;
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, Id as _, IdVec, TriMesh};
 use rayon::prelude::*;

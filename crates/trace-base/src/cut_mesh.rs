@@ -129,6 +129,15 @@ impl CutMesh {
         sector
     }
 
+    /// Cuts a piece through the middle of its longest edge that is no wall; `None` where all are.
+    pub(crate) fn halve(&mut self, piece: u32) -> Option<u32> {
+        let v = self.pieces[piece as usize].vertices;
+        let edges = (0..3).map(|c| [v[c], v[(c + 1) % 3]]).filter(|&[a, b]| !self.is_wall(a, b));
+        let length = |[a, b]: [u32; 2]| self.positions[a as usize].distance(self.positions[b as usize]);
+        let [a, b] = edges.max_by(|&e, &f| length(e).total_cmp(&length(f)))?;
+        self.cut(a, b, 0.5)
+    }
+
     /// A new vertex `s` (0 to 1) of the way from `a` to `b`; `None` when no edge joins them. The halves of a wall are walls.
     pub(crate) fn cut(&mut self, a: u32, b: u32, s: f64) -> Option<u32> {
         if !self.joined(a, b) {

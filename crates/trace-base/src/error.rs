@@ -39,6 +39,9 @@ pub enum Untraced {
     /// The paths round a face do not bound a disk.
     #[error("the traced edges of base face {0} do not bound a disk")]
     Face(FaceId),
+    /// What was to be traced is no mesh: a bug of ours.
+    #[error("internal error: the base mesh is not a manifold with finite positions; please report this")]
+    NoMesh,
     /// The region of a face is too long or too winding to be laid flat.
     #[error("the region of base face {0} cannot be laid flat")]
     Chart(FaceId),

@@ -5,6 +5,9 @@
 //! spanning tree first, every path between its neighbours in the order round a vertex). Then every base face is a disk on the
 //! surface, and its chart a triangle.
 //!
+//! [`retrace`] does the second half for a base mesh of our own, whose map has become long and rough by many edits: the paths go near
+//! to where this map has the edges, and the map without a history that comes of it is exact to rounding.
+//!
 //! ```
 //! use mesh_core::{FaceId, Topology};
 //!
@@ -27,10 +30,14 @@ mod cut_mesh;
 mod error;
 mod follow;
 mod foreign;
+mod lay;
 mod path;
 mod place;
 mod polyline;
+mod retrace;
 mod trace;
+mod tracer;
 
 pub use error::{TraceError, Untraced};
+pub use retrace::retrace;
 pub use trace::{Traced, trace};

@@ -20,91 +20,118 @@ pub(crate) struct End {
     pub(crate) sector: Vec<u32>,
 }
 
-/// What being off the line costs: at one line length off, a way counts this much more.
+/// Where a path shall run: a polyline.
+pub(crate) struct Way {
+    points: Vec<DVec3>,
+    length: f64,
+}
+
+impl Way {
+    /// A way with a point at least.
+    pub(crate) fn new(points: Vec<DVec3>) -> Self {
+        let length = points.windows(2).map(|w| w[0].distance(w[1])).sum();
+        Self { points, length }
+    }
+
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn end(&self) -> DVec3 {
+        self.points.last().copied().unwrap_or_default()
+    }
+
+    fn square_distance(&self, p: DVec3) -> f64 {
+        let feet = self.points.windows(2).map(|w| w[0].lerp(w[1], mesh_core::closest_on_segment(p, w[0], w[1])));
+        feet.map(|q| q.distance_squared(p)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// What being off the way costs: at its length off, a step counts this much more. Where the way winds it is long, so a shorter one wins.
 const STRAIGHTNESS: f64 = 30.0;
+/// What every stop costs, in spacings: without it, and were a step to count more than at its lighter end, a path could zigzag through
+/// needles for nothing.
+const STOP: f64 = 1e-3;
 /// Most points on an edge.
 const MOST_STEPS: f64 = 7.0;
 
 /// Finds a path from one end to the other that crosses no wall and runs through no taken vertex. Points on edges are about
 /// `spacing` apart, and every edge has one at least: so there is a path wherever there is a way.
-pub(crate) fn shortest(mesh: &CutMesh, from: &End, to: &End, spacing: f64) -> Option<Vec<Node>> {
-    let search = Search { mesh, from, to, spacing, line: [from.vertex, to.vertex].map(|v| mesh.positions[v as usize]) };
-    search.run()
+pub(crate) fn shortest(mesh: &CutMesh, [from, to]: [&End; 2], way: &Way, spacing: f64) -> Option<Vec<Node>> {
+    Search { mesh, from, to, way, spacing }.run()
 }
 
 struct Search<'a> {
     mesh: &'a CutMesh,
     from: &'a End,
     to: &'a End,
+    way: &'a Way,
     spacing: f64,
-    line: [DVec3; 2],
+}
+
+/// A node that the search has met.
+struct Met {
+    node: Node,
+    at: DVec3,
+    /// How much a step counts here, 1 on the way.
+    weight: f64,
+    cost: f64,
+    before: usize,
 }
 
 impl Search<'_> {
     fn run(&self) -> Option<Vec<Node>> {
         let (start, goal) = (Node::Vertex(self.from.vertex), Node::Vertex(self.to.vertex));
-        let mut best: FxHashMap<Node, (f64, Node)> = FxHashMap::default();
-        best.insert(start, (0.0, start));
-        let mut queue = BinaryHeap::from([(Reverse(0u64), Reverse(start), 0u64)]);
-        while let Some((_, Reverse(node), bits)) = queue.pop() {
+        let mut all = vec![Met { cost: 0.0, ..self.meet(start, 0) }];
+        let mut index = FxHashMap::from_iter([(start, 0)]);
+        let mut queue = BinaryHeap::from([(Reverse(0u64), Reverse(0), 0u64)]);
+        let mut next = Vec::new();
+        while let Some((_, Reverse(i), bits)) = queue.pop() {
+            let Met { node, at, weight, cost, .. } = all[i];
             if node == goal {
-                return Some(self.back(&best, goal));
+                return Some(back(&all, i));
             }
-            let cost = f64::from_bits(bits);
-            if best.get(&node).is_some_and(|b| cost > b.0) {
+            if f64::from_bits(bits) > cost {
                 continue;
             }
-            let at = self.position(node);
-            for next in self.next(node) {
-                let to = self.position(next);
-                let cost = cost + self.cost(at, to);
-                if best.get(&next).is_none_or(|b| cost < b.0) {
-                    best.insert(next, (cost, node));
-                    let estimate = cost + to.distance(self.line[1]);
-                    queue.push((Reverse(estimate.to_bits()), Reverse(next), cost.to_bits()));
+            self.next(node, &mut next);
+            for &beside in &next {
+                let k = *index.entry(beside).or_insert_with(|| {
+                    all.push(self.meet(beside, i));
+                    all.len() - 1
+                });
+                let met = &mut all[k];
+                let cost = cost + at.distance(met.at) * weight.min(met.weight) + STOP * self.spacing;
+                if cost < met.cost {
+                    (met.cost, met.before) = (cost, i);
+                    let estimate = cost + met.at.distance(self.way.end());
+                    queue.push((Reverse(estimate.to_bits()), Reverse(k), cost.to_bits()));
                 }
             }
         }
         None
     }
 
-    fn back(&self, best: &FxHashMap<Node, (f64, Node)>, goal: Node) -> Vec<Node> {
-        let mut path = vec![goal];
-        let mut at = goal;
-        while let Some(&(_, before)) = best.get(&at).filter(|b| b.1 != at) {
-            path.push(before);
-            at = before;
-        }
-        path.reverse();
-        path
-    }
-
-    /// The length of a straight step, more the further it is from the line.
-    fn cost(&self, a: DVec3, b: DVec3) -> f64 {
-        let [from, to] = self.line;
-        let middle = a.midpoint(b);
-        let off = middle.distance(from.lerp(to, mesh_core::closest_on_segment(middle, from, to)));
-        let scale = from.distance(to).max(self.spacing);
-        a.distance(b) * (1.0 + STRAIGHTNESS * (off / scale).powi(2))
-    }
-
-    fn position(&self, node: Node) -> DVec3 {
+    fn meet(&self, node: Node, before: usize) -> Met {
         let at = |v: u32| self.mesh.positions[v as usize];
-        match node {
+        let at = match node {
             Node::Vertex(v) => at(v),
             Node::OnEdge([a, b], step) => at(a).lerp(at(b), share(self.mesh, [a, b], step, self.spacing)),
-        }
+        };
+        let scale = self.way.length().max(self.spacing);
+        let weight = 1.0 + STRAIGHTNESS * self.way.square_distance(at) / (scale * scale);
+        Met { node, at, weight, cost: f64::INFINITY, before }
     }
 
     /// All nodes on the pieces beside a node.
-    fn next(&self, node: Node) -> Vec<Node> {
+    fn next(&self, node: Node, next: &mut Vec<Node>) {
         let mesh = self.mesh;
         let pieces = match node {
             Node::Vertex(v) if v == self.from.vertex => self.from.sector.clone(),
             Node::Vertex(v) => mesh.fan(v),
             Node::OnEdge([a, b], _) => [mesh.left(a, b), mesh.left(b, a)].into_iter().flatten().collect(),
         };
-        let mut next = Vec::new();
+        next.clear();
         for piece in pieces {
             let vertices = mesh.pieces[piece as usize].vertices;
             for c in 0..3 {
@@ -124,8 +151,18 @@ impl Search<'_> {
                 }
             }
         }
-        next
     }
+}
+
+/// The path to the last of the nodes.
+fn back(all: &[Met], mut i: usize) -> Vec<Node> {
+    let mut path = vec![all[i].node];
+    while i != all[i].before {
+        i = all[i].before;
+        path.push(all[i].node);
+    }
+    path.reverse();
+    path
 }
 
 /// The number of points on an edge.
@@ -135,30 +172,6 @@ fn steps(mesh: &CutMesh, [a, b]: [u32; 2], spacing: f64) -> u8 {
 }
 
 /// How far along its edge a point is, 0 to 1.
-fn share(mesh: &CutMesh, ends: [u32; 2], step: u8, spacing: f64) -> f64 {
+pub(crate) fn share(mesh: &CutMesh, ends: [u32; 2], step: u8, spacing: f64) -> f64 {
     f64::from(step) / f64::from(steps(mesh, ends, spacing) + 1)
-}
-
-/// Cuts the mesh along a path and makes it a wall; the vertices along it. `None` where it meets itself.
-pub(crate) fn lay(mesh: &mut CutMesh, path: &[Node], spacing: f64) -> Option<Vec<u32>> {
-    // Where points are hangs on the mesh before the first cut.
-    let share = |node: &Node| match *node {
-        Node::Vertex(_) => 0.0,
-        Node::OnEdge(ends, step) => share(mesh, ends, step, spacing),
-    };
-    let shares: Vec<f64> = path.iter().map(share).collect();
-    let mut vertices = Vec::with_capacity(path.len());
-    for (node, s) in path.iter().zip(shares) {
-        vertices.push(match *node {
-            Node::Vertex(v) => v,
-            Node::OnEdge([a, b], _) => mesh.cut(a, b, s)?,
-        });
-    }
-    for pair in vertices.windows(2) {
-        if !mesh.joined(pair[0], pair[1]) {
-            return None;
-        }
-        mesh.wall(pair[0], pair[1]);
-    }
-    Some(vertices)
 }

@@ -1,15 +1,12 @@
 //! The verb: a base mesh from elsewhere becomes one of the surface.
 
-use crate::attach::{Attached, attach};
-use crate::charts::charts;
-use crate::cut_mesh::CutMesh;
+use crate::attach::attach;
 use crate::foreign::Foreign;
-use crate::path::{End, lay, shortest};
 use crate::place::region_map;
+use crate::tracer::Tied;
 use crate::{TraceError, Untraced};
-use mesh_core::{EdgeId, Id as _, IdVec, Topology, TriMesh, VertexId};
-use region_map::{Attachment, BaseCounts, BaseMap, BaseMesh, MapFaceId, Network, RegionMap};
-use rustc_hash::FxHashMap;
+use mesh_core::{Id as _, IdVec, Topology, TriMesh};
+use region_map::{BaseCounts, BaseMap, BaseMesh, MapFaceId, Network};
 
 /// A base mesh from elsewhere, tied to a surface.
 #[derive(Clone, Debug)]
@@ -22,13 +19,6 @@ pub struct Traced {
     pub untraced: Option<Untraced>,
 }
 
-/// Points on working edges, where paths may cross them, are this share of a mean base edge apart.
-const SPACING: f64 = 0.06;
-/// A stop this close to a vertex of its arc, as a share of the arc's edge, is cut there: pieces without area have no chart.
-const AT_VERTEX: f64 = 1e-9;
-/// So often the edges are traced in another order.
-const TRIES: usize = 12;
-
 /// Ties a base mesh to a surface: puts its vertices on corners, arcs and sheets, and traces its edges as paths that do not cross.
 ///
 /// The order of vertices and faces stays; components that face inwards are turned round. Where the edges cannot be traced, the base
@@ -38,7 +28,16 @@ pub fn trace(mesh: &TriMesh, topology: &Topology, network: &Network, base: &TriM
     let attached = attach(mesh, topology, network, &foreign)?;
     let mut region = region_map(mesh, topology, &foreign, &attached);
     region.check(&foreign.topology, &attached.network)?;
-    let (map, untraced) = match map(mesh, &foreign, &attached, &mut region) {
+    let tied = Tied {
+        mesh,
+        network: &attached.network,
+        base: &foreign.mesh,
+        topology: &foreign.topology,
+        corners: &attached.corners,
+        chains: &attached.chains,
+        via: IdVec::filled(Vec::new(), foreign.topology.n_edges()),
+    };
+    let (map, untraced) = match tied.map(&mut region) {
         Ok(map) => (map, None),
         Err(untraced) => (BaseMap::new(IdVec::new(), &[]), Some(untraced)),
     };
@@ -52,221 +51,4 @@ pub fn trace(mesh: &TriMesh, topology: &Topology, network: &Network, base: &TriM
         counts: BaseCounts { asked: n, needed: n, made: n, reason: String::new() },
     };
     Ok(Traced { network: attached.network, base, untraced })
-}
-
-/// Traces all edges and charts the faces between them. Vertices inside sheets are moved to where the cut mesh has them.
-///
-/// Edges that were shut out, or bound no disk or one that cannot be laid flat, come first in the next try.
-fn map(mesh: &TriMesh, base: &Foreign, attached: &Attached, region: &mut RegionMap) -> Result<BaseMap, Untraced> {
-    let mut first = Vec::new();
-    for _ in 1..TRIES {
-        let edges = match try_map(mesh, base, attached, region, &first) {
-            Ok(map) => return Ok(map),
-            Err(Untraced::Edge(a, b)) => vec![[a, b]],
-            Err(Untraced::Face(f) | Untraced::Chart(f)) => {
-                let [a, b, c] = base.mesh.face(f);
-                vec![[a, b], [b, c], [c, a]]
-            }
-        };
-        let edges = edges.into_iter().filter_map(|[a, b]| base.topology.find_edge(a, b));
-        first.splice(0..0, edges.collect::<Vec<EdgeId>>());
-    }
-    try_map(mesh, base, attached, region, &first)
-}
-
-fn try_map(
-    mesh: &TriMesh,
-    base: &Foreign,
-    attached: &Attached,
-    region: &mut RegionMap,
-    first: &[EdgeId],
-) -> Result<BaseMap, Untraced> {
-    let mut tracer = Tracer::new(mesh, base, attached, region);
-    for e in tracer.order(first) {
-        tracer.trace(e)?;
-    }
-    let map = charts(tracer.cut.clone(), &base.mesh, &tracer.paths)?;
-    for v in region.vertices() {
-        if let Attachment::Sheet(_) = region.attachments[v] {
-            region.points[v] = tracer.cut.point(tracer.vertices[v]);
-        }
-    }
-    Ok(map)
-}
-
-/// The paths of traced base edges, from the lower to the higher base vertex, as vertices of the cut mesh.
-pub(crate) type Paths = FxHashMap<[VertexId; 2], Vec<u32>>;
-
-struct Tracer<'a> {
-    base: &'a Foreign,
-    cut: CutMesh,
-    /// The cut mesh's vertex of every base vertex.
-    vertices: IdVec<VertexId, u32>,
-    paths: Paths,
-    spacing: f64,
-}
-
-impl<'a> Tracer<'a> {
-    /// Makes walls of all arcs, and vertices of all base vertices.
-    fn new(mesh: &TriMesh, base: &'a Foreign, attached: &Attached, region: &RegionMap) -> Self {
-        let mut cut = CutMesh::new(mesh);
-        let network = &attached.network;
-        let mut vertices = IdVec::filled(u32::MAX, base.mesh.n_vertices());
-        for arc in &network.arcs {
-            arc.vertices.windows(2).for_each(|w| cut.wall(w[0].0, w[1].0));
-        }
-        attached.corners.enumerate().for_each(|(c, &v)| vertices[v] = network.corners[c].0);
-        let mut paths = Paths::default();
-        for (a, chain) in attached.chains.enumerate() {
-            let run = run_along(&mut cut, &network.arcs[a], chain.iter().map(|s| s.t).collect());
-            for (pair, path) in chain.windows(2).zip(run) {
-                let [v, w] = [pair[0].vertex, pair[1].vertex];
-                (vertices[v], vertices[w]) = (path[0], path[path.len() - 1]);
-                keep(&mut paths, v, w, path);
-            }
-        }
-        // Corners without arcs, then all others.
-        attached.corners.iter().for_each(|&v| cut.taken[vertices[v] as usize] = true);
-        for (v, attachment) in region.attachments.enumerate() {
-            if matches!(attachment, Attachment::Sheet(_)) {
-                vertices[v] = cut.insert(region.points[v]);
-            }
-        }
-        let n = base.topology.n_edges().max(1) as f64;
-        let mean =
-            base.topology.edge_ids().map(|e| base.topology.ends(e)).map(|[a, b]| base.mesh.distance(a, b)).sum::<f64>() / n;
-        Self { base, cut, vertices, paths, spacing: SPACING * mean }
-    }
-
-    /// The edges still to trace: first those of a shortest spanning tree, with which the rest of a sphere is one disk and no edge can
-    /// be shut out; then the others. Short ones first, and those in `first` before all.
-    fn order(&self, first: &[EdgeId]) -> Vec<EdgeId> {
-        let (mesh, topology) = (&self.base.mesh, &self.base.topology);
-        let key = |v: VertexId, w: VertexId| [v.min(w), v.max(w)];
-        let mut parent: IdVec<VertexId, VertexId> = mesh.positions().ids().collect();
-        let mut open = Vec::new();
-        for e in topology.edge_ids() {
-            let [a, b] = topology.ends(e);
-            if self.paths.contains_key(&key(a, b)) {
-                join(&mut parent, a, b);
-            } else {
-                open.push((mesh.distance(a, b), e));
-            }
-        }
-        open.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let in_tree = |&(_, e): &(f64, EdgeId)| {
-            let [a, b] = topology.ends(e);
-            join(&mut parent, a, b)
-        };
-        let (tree, rest): (Vec<_>, Vec<_>) = open.into_iter().partition(in_tree);
-        let ordered = tree.into_iter().chain(rest).map(|(_, e)| e);
-        // Each once; those to come first may be on arcs, which are traced already.
-        let mut is_left = IdVec::<EdgeId, bool>::filled(false, topology.n_edges());
-        ordered.clone().for_each(|e| is_left[e] = true);
-        first.iter().copied().chain(ordered).filter(|&e| std::mem::replace(&mut is_left[e], false)).collect()
-    }
-
-    fn trace(&mut self, e: EdgeId) -> Result<(), Untraced> {
-        let [a, b] = self.base.topology.ends(e);
-        let [from, to] = [self.end(a, b), self.end(b, a)];
-        let path = shortest(&self.cut, &from, &to, self.spacing).ok_or(Untraced::Edge(a, b))?;
-        let path = lay(&mut self.cut, &path, self.spacing).ok_or(Untraced::Edge(a, b))?;
-        keep(&mut self.paths, a, b, path);
-        Ok(())
-    }
-
-    /// The end at `v` of the edge to `w`: between the traced edges that are next to it round `v`, on either side.
-    fn end(&self, v: VertexId, w: VertexId) -> End {
-        let vertex = self.vertices[v];
-        let ring: Vec<VertexId> = self.base.topology.one_ring(v).collect();
-        let own = ring.iter().position(|&x| x == w).unwrap_or(0);
-        let spoke = |x: VertexId| self.first_step(v, x);
-        let n = ring.len();
-        let before = (1..n).find_map(|k| spoke(ring[(own + n - k) % n]));
-        let after = (1..n).find_map(|k| spoke(ring[(own + k) % n]));
-        let sector = match (before, after) {
-            (Some(from), Some(to)) => self.cut.sector(vertex, from, to),
-            _ => self.cut.fan(vertex),
-        };
-        End { vertex, sector }
-    }
-
-    /// The vertex next to `v` on the path to `w`, if there is one already.
-    fn first_step(&self, v: VertexId, w: VertexId) -> Option<u32> {
-        let path = self.paths.get(&[v.min(w), v.max(w)])?;
-        Some(if v < w { path[1] } else { path[path.len() - 2] })
-    }
-}
-
-fn keep(paths: &mut Paths, v: VertexId, w: VertexId, mut path: Vec<u32>) {
-    if v > w {
-        path.reverse();
-    }
-    paths.insert([v.min(w), v.max(w)], path);
-}
-
-/// Joins the trees of two vertices; false when they are one already.
-fn join(parent: &mut IdVec<VertexId, VertexId>, a: VertexId, b: VertexId) -> bool {
-    let mut root = |mut v: VertexId| {
-        while parent[v] != v {
-            parent[v] = parent[parent[v]];
-            v = parent[v];
-        }
-        v
-    };
-    let (a, b) = (root(a), root(b));
-    parent[a] = b;
-    a != b
-}
-
-/// Cuts an arc at arc lengths and gives the vertices from each to the next, the ends included. `at` begins and ends with the ends of
-/// the arc, or on a loop with the same place.
-fn run_along(cut: &mut CutMesh, arc: &region_map::Arc, at: Vec<f64>) -> Vec<Vec<u32>> {
-    let length = arc.length();
-    // Every stop in the first round: the edge that it is on, and how far along.
-    let mut stops: Vec<(usize, f64, usize)> = Vec::new();
-    let inner = if arc.is_loop() { 0..at.len() - 1 } else { 1..at.len() - 1 };
-    for k in inner {
-        let t = if arc.is_loop() { at[k].rem_euclid(length) } else { at[k] };
-        let (i, s) = arc.segment(t);
-        // Rounding may have put a stop beside the vertex that it is at.
-        stops.push(match s {
-            s if s < AT_VERTEX => (i, 0.0, k),
-            s if s > 1.0 - AT_VERTEX => ((i + 1) % (arc.vertices.len() - 1), 0.0, k),
-            s => (i, s, k),
-        });
-    }
-    stops.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut run: Vec<(u32, Option<usize>)> = Vec::new();
-    let mut next = stops.into_iter().peekable();
-    for i in 0..arc.vertices.len() - 1 {
-        let [start, end] = [arc.vertices[i].0, arc.vertices[i + 1].0];
-        let (mut from, mut done) = (start, 0.0);
-        run.push((start, None));
-        while let Some((_, s, k)) = next.next_if(|n| n.0 == i) {
-            if s == 0.0 {
-                run.last_mut().iter_mut().for_each(|r| r.1 = Some(k));
-            } else if let Some(m) = cut.cut(from, end, (s - done) / (1.0 - done)) {
-                run.push((m, Some(k)));
-                (from, done) = (m, s);
-            }
-        }
-    }
-    if arc.is_loop() {
-        let first = run.iter().position(|r| r.1 == Some(0)).unwrap_or(0);
-        run.rotate_left(first);
-        run.push((run[0].0, Some(at.len() - 1)));
-    } else {
-        run[0].1 = Some(0);
-        run.push((arc.vertices[arc.vertices.len() - 1].0, Some(at.len() - 1)));
-    }
-    let mut paths: Vec<Vec<u32>> = Vec::new();
-    for (v, stop) in run {
-        paths.last_mut().iter_mut().for_each(|p| p.push(v));
-        if stop.is_some() {
-            paths.push(vec![v]);
-        }
-    }
-    paths.pop();
-    paths
 }

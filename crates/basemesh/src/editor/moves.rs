@@ -1,6 +1,7 @@
 //! Moves of a vertex: inside its sheet, and along its arc.
 
-use super::{Edit, Editor};
+use super::Editor;
+use super::replace::Edit;
 use crate::layout::{are_unfolded, full_star, half_star};
 use crate::shape::{inverse_mean_ratio, signed_quality};
 use crate::star::{Face, Ring, side_between};
@@ -53,7 +54,7 @@ impl Editor<'_> {
         let corners = |i: usize| [v, ring.vertices[i], ring.vertices[(i + 1) % n]];
         let old: Vec<_> = (0..n).map(|i| (ring.faces[i], corners(i), old_star[i])).collect();
         let new: Vec<_> = (0..n).map(|i| (corners(i), new_star[i])).collect();
-        let moved = self.replace(&old, &new);
+        let moved = self.replace(&[Edit { old, new }], Some((v, to)));
         if moved {
             (self.region.points[v], self.positions[v]) = (point, to);
         }
@@ -70,20 +71,18 @@ impl Editor<'_> {
         let sides = sides.into_iter().filter_map(|(first, last, gaps)| Some((side_between(&ring, first, last)?, gaps)));
         let edits: Option<Vec<_>> = sides.map(|(side, gaps)| self.slide_edit(v, &side, gaps, slide)).collect();
         let Some(edits) = edits else { return false };
-        for (old, new) in &edits {
-            if !self.replace(old, new) {
-                debug_assert!(false, "a layout that was checked is refused");
-                return false;
-            }
-        }
         let arc = &self.surface.network.arcs[rail.arc];
         let t = arc.normalise(rail.t + slide);
+        let point = arc.point(self.surface.topology, t);
+        let to = point.position(self.surface.mesh);
+        if !self.replace(&edits, Some((v, to))) {
+            return false;
+        }
         for (end, gap) in rail.ends {
             self.region.insert_span(v, end, ArcSpan { arc: rail.arc, from: t, to: t + gap - slide });
         }
         self.region.attachments[v] = Attachment::Arc { arc: rail.arc, t };
-        self.region.points[v] = arc.point(self.surface.topology, t);
-        self.positions[v] = self.region.points[v].position(self.surface.mesh);
+        (self.region.points[v], self.positions[v]) = (point, to);
         true
     }
 
@@ -123,7 +122,7 @@ impl Editor<'_> {
         }
         let corners = side.vertices.windows(2).map(|w| [v, w[0], w[1]]);
         let old = side.faces.iter().zip(corners.clone()).zip(spokes(&flat, DVec2::ZERO)).map(|((&f, c), p)| (f, c, p));
-        Some((old.collect(), corners.zip(spokes(&flat, to)).collect()))
+        Some(Edit { old: old.collect(), new: corners.zip(spokes(&flat, to)).collect() })
     }
 
     /// The surface point at a place in the layout of the star of `v`.

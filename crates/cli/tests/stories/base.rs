@@ -84,7 +84,7 @@ fn our_own_base_mesh_given_back_gives_the_same_mesh() {
         assert_eq!((&traced["vertices"], &traced["faces"]), (&direct["vertices"], &direct["faces"]));
         assert_eq!((&traced["warnings"], &traced["flipped"]), (&serde_json::json!([]), &0.into()));
         assert_eq!(traced["base_vertices"]["made"], direct["base_vertices"]["made"]);
-        for (key, tolerance) in [("ar_mean", 0.02), ("crease_cover", 0.002)] {
+        for (key, tolerance) in [("ar_mean", 0.02), ("crease_cover", 0.05)] {
             let [a, b] = [&direct, &traced].map(|r| r[key].as_f64().unwrap_or_default());
             assert!((a - b).abs() < tolerance, "{input}: {key} {a} and {b}");
         }

@@ -8,8 +8,9 @@ use crate::{FaceId, IdVec, VertexId};
 use rustc_hash::FxHashMap;
 
 /// Mends the faces whose corners lie exactly on one line. Such a face fills a T-junction: one corner is on the edge between the
-/// two others. To drop it would open the surface; flipping that edge brings the corner into the neighbour instead. At a
-/// border, where there is no neighbour, the face is dropped, and so is every component that has no area at all.
+/// two others. Flipping that edge brings the corner into the neighbour. At a border, where there is no neighbour, the face is
+/// dropped, and so is every component that has no area at all. What no flip mends is dropped, too: that opens the surface along a
+/// line, by no width; kept, it would be triangles that face nowhere in every mesh made of this one.
 ///
 /// Takes and leaves a manifold but for vertices between dropped faces; returns true when faces were dropped.
 pub(super) fn mend_zero_area(draft: &mut Draft, report: &mut CleanReport) -> bool {
@@ -20,11 +21,13 @@ pub(super) fn mend_zero_area(draft: &mut Draft, report: &mut CleanReport) -> boo
     let flat = draft.faces.ids().filter(|&f| is_flat(draft, f)).collect();
     let mut mender = Mender::new(draft);
     mender.run(flat, report);
-    let drop = mender.dropped;
+    let mut drop = mender.dropped;
+    for f in draft.faces.ids().filter(|&f| is_flat(draft, f)) {
+        report.zero_area_opened += usize::from(!std::mem::replace(&mut drop[f], true));
+    }
     // What is dropped may leave parts behind that were joined to a surface by it alone.
     dropped += draft.drop_faces(&drop) + draft.drop_faces(&without_area(draft));
-    report.zero_area_dropped += dropped;
-    report.zero_area_kept = draft.faces.ids().filter(|&f| is_flat(draft, f)).count();
+    report.zero_area_dropped += dropped - report.zero_area_opened;
     dropped > 0
 }
 

@@ -63,8 +63,8 @@ pub struct CleanReport {
     /// Triangles without area dropped: they are at a border, or in a part without any area, or hang on an edge as needles (at most a
     /// millionth as high as long).
     pub zero_area_dropped: usize,
-    /// Triangles without area that had to stay, as the surface would have been opened.
-    pub zero_area_kept: usize,
+    /// Triangles without area dropped though that opens the surface, along a line and by no width: no flip mends them.
+    pub zero_area_opened: usize,
     /// Vertices dropped: no triangle uses them.
     pub unused_vertices: usize,
 }

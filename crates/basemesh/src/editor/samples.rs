@@ -1,0 +1,74 @@
+//! What every base face covers: samples of the working mesh that the edits carry along.
+//!
+//! The map runs backwards through the history of edits, which takes long where they are many. Samples run forwards with them (Lee et
+//! al., *MAPS*, 1998): an edit moves those of its few faces to the new ones. So a face always knows the normals that it stands for.
+
+use glam::{DVec2, DVec3};
+use mesh_core::{IdVec, SurfacePoint};
+use region_map::{BaseMap, MapFaceId, Surface, flat_barycentric};
+use std::sync::Arc;
+
+/// A face that turns its back on more than this share of what it covers folds there when it is subdivided.
+pub(crate) const MOST_TURNED: f64 = 0.1;
+/// Cosine of the angle from which a face turns its back: 75 degrees.
+const TURNED_COSINE: f64 = 0.26;
+
+/// A sample in a base face.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placed {
+    sample: u32,
+    /// Barycentric coordinates in the face of the map.
+    at: DVec3,
+}
+
+/// A sample for each working face, at its middle: unit normal and area.
+#[derive(Clone, Debug)]
+pub(crate) struct Samples(Arc<Vec<(DVec3, f64)>>);
+
+impl Samples {
+    /// The samples of a working mesh, and those in each face of the map.
+    pub(crate) fn new(surface: &Surface<'_>, map: &BaseMap, n_map_faces: usize) -> (Self, IdVec<MapFaceId, Vec<Placed>>) {
+        let mesh = surface.mesh;
+        let mut content = IdVec::filled(Vec::new(), n_map_faces);
+        let mut samples = Vec::with_capacity(mesh.n_faces());
+        for f in mesh.faces().ids() {
+            let middle = SurfacePoint::new(f, DVec3::splat(1.0 / 3.0));
+            if let Some((face, at)) = map.find(middle) {
+                content[face].push(Placed { sample: f.0, at });
+            }
+            samples.push((surface.normals.at(middle), mesh.area(f)));
+        }
+        (Self(Arc::new(samples)), content)
+    }
+
+    /// The mean normal of what a face covers, `None` where it covers no sample.
+    pub(crate) fn mean_normal(&self, covered: &[Placed]) -> Option<DVec3> {
+        let sum: DVec3 = covered.iter().map(|p| self.0[p.sample as usize]).map(|(normal, area)| area * normal).sum();
+        sum.try_normalize()
+    }
+
+    /// The share of what a face covers that a face with this normal turns its back on.
+    pub(crate) fn turned_share(&self, covered: &[Placed], normal: DVec3) -> f64 {
+        let (mut all, mut turned) = (0.0, 0.0);
+        for (there, area) in covered.iter().map(|p| self.0[p.sample as usize]) {
+            all += area;
+            turned += if there.dot(normal) < TURNED_COSINE { area } else { 0.0 };
+        }
+        if all > 0.0 { turned / all } else { 0.0 }
+    }
+}
+
+/// Moves samples from flat triangles to others over the same polygon.
+pub(crate) fn moved<'p>(old: impl Iterator<Item = (&'p [Placed], [DVec2; 3])>, new: &[[DVec2; 3]]) -> Vec<Vec<Placed>> {
+    let mut moved = vec![Vec::new(); new.len()];
+    for (covered, layout) in old {
+        for p in covered {
+            let place = p.at.x * layout[0] + p.at.y * layout[1] + p.at.z * layout[2];
+            let depths = new.iter().map(|t| flat_barycentric(t, place)).enumerate();
+            let Some((i, at)) = depths.max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element())) else { continue };
+            let at = at.max(DVec3::ZERO);
+            moved[i].push(Placed { sample: p.sample, at: at / at.element_sum() });
+        }
+    }
+    moved
+}

@@ -1,0 +1,89 @@
+//! The other verb: a base mesh that hangs on a surface already gets a new map.
+
+use crate::Untraced;
+use crate::follow::Stop;
+use crate::tracer::Tied;
+use glam::DVec3;
+use mesh_core::{EdgeId, Id as _, IdVec, Topology, TriMesh, VertexId};
+use rayon::prelude::*;
+use region_map::{ArcId, Attachment, BaseMesh, CornerId, MapFaceId, Network, RegionMap, Surface};
+
+/// So many steps are made along a base edge to see where the present map has it.
+const SAMPLES: usize = 12;
+
+/// Gives a base mesh a new map: its edges traced as short paths that do not cross, near to where its present map has them, and a
+/// chart for every face.
+///
+/// Edits make a map longer and rougher: each one lays a few faces flat, and what it distorts the next one distorts again. The new one
+/// has no edits, so its round trips are exact to rounding. Vertices, edges and faces stay what and where they are; a vertex inside a
+/// sheet and very near to a working vertex or edge is put there.
+///
+/// `base` must fit the surface (`RegionMap::check`). Fails where an edge is shut out by others, or a face cannot be laid flat; the
+/// present map is still good then.
+pub fn retrace(surface: &Surface<'_>, base: &BaseMesh) -> Result<BaseMesh, Untraced> {
+    let topology = Topology::new(base.mesh.faces(), base.mesh.n_vertices()).map_err(|_| Untraced::NoMesh)?;
+    let tied = Tied {
+        mesh: surface.mesh,
+        network: surface.network,
+        base: &base.mesh,
+        topology: &topology,
+        corners: &corners(surface.network, &base.region),
+        chains: &chains(surface.network, &base.region),
+        via: via(surface.mesh, &topology, base),
+    };
+    let mut region = base.region.clone();
+    let map = tied.map(&mut region)?;
+    let positions = region.points.iter().map(|p| p.position(surface.mesh)).collect();
+    let mesh = base.mesh.with_positions(positions).map_err(|_| Untraced::NoMesh)?;
+    let map_faces = (0..mesh.n_faces()).map(MapFaceId::new).collect();
+    Ok(BaseMesh { mesh, region, map, map_faces, counts: base.counts.clone() })
+}
+
+/// The base vertex at every corner.
+fn corners(network: &Network, region: &RegionMap) -> IdVec<CornerId, VertexId> {
+    let mut corners = IdVec::filled(VertexId(0), network.corners.len());
+    for (v, attachment) in region.attachments.enumerate() {
+        if let Attachment::Corner(c) = *attachment {
+            corners[c] = v;
+        }
+    }
+    corners
+}
+
+/// The base vertices along every arc.
+fn chains(network: &Network, region: &RegionMap) -> IdVec<ArcId, Vec<Stop>> {
+    let mut steps: IdVec<ArcId, Vec<[Stop; 2]>> = IdVec::filled(Vec::new(), network.arcs.len());
+    for (&[v, w], span) in &region.spans {
+        let mut step = [Stop { vertex: v, t: span.from }, Stop { vertex: w, t: span.to }];
+        step.sort_by(|a, b| a.t.total_cmp(&b.t));
+        let arc = &network.arcs[span.arc];
+        if arc.is_loop() {
+            let round = (step[0].t / arc.length()).floor() * arc.length();
+            step.iter_mut().for_each(|s| s.t -= round);
+        }
+        steps[span.arc].push(step);
+    }
+    let chain = |steps: &mut Vec<[Stop; 2]>| {
+        steps.sort_by(|a, b| a[0].t.total_cmp(&b[0].t));
+        steps.first().map(|s| s[0]).into_iter().chain(steps.iter().map(|s| s[1])).collect()
+    };
+    steps.iter_mut().map(chain).collect()
+}
+
+/// Where the present map has every edge that is on no arc; nowhere without a map.
+fn via(mesh: &TriMesh, topology: &Topology, base: &BaseMesh) -> IdVec<EdgeId, Vec<DVec3>> {
+    let along = |e: EdgeId| {
+        let [a, b] = topology.ends(e);
+        if base.region.span(a, b).is_some() || base.map.charts().is_empty() {
+            return Vec::new();
+        }
+        let h = topology.halfedge(e);
+        let [mut from, mut to] = [DVec3::ZERO; 2];
+        from[h.corner()] = 1.0;
+        to[(h.corner() + 1) % 3] = 1.0;
+        let at = |i| base.locate(h.face(), from.lerp(to, i as f64 / SAMPLES as f64)).position(mesh);
+        (1..SAMPLES).map(at).collect()
+    };
+    let edges: Vec<EdgeId> = topology.edge_ids().collect();
+    IdVec::from_vec(edges.into_par_iter().map(along).collect())
+}
