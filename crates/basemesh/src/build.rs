@@ -3,8 +3,7 @@
 use crate::BaseError;
 use crate::assemble::{FlatFace, Patchwork, make_simplicial};
 use crate::chart::{PatchChart, chart};
-use crate::editor::Editor;
-use crate::improve::improve;
+use crate::improve::improved;
 use crate::patch_cdt::triangulate;
 use glam::DVec2;
 use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
@@ -59,11 +58,7 @@ pub fn build(
         cells.arcs.ids().flat_map(|a| vertices.edges_along(cells, a)).map(|(ends, _)| ends).collect();
     let patchwork = make_simplicial(IdVec::from_vec(faces), &charts, &arc_edges, vertices.points.len());
     let first = join(mesh, network, cells, vertices, charts, patchwork)?;
-    let mut editor = Editor::new(surface, first)?;
-    improve(&mut editor, sizing, options);
-    let mut base = editor.finish()?;
-    base.counts = BaseCounts { asked: options.base_vertices, needed: 0, made: base.mesh.n_vertices(), reason: String::new() };
-    Ok(base)
+    improved(surface, first, sizing, options)
 }
 
 /// The base vertices before any chord is split: cell corners, then arc sites, then patch sites.

@@ -5,13 +5,13 @@
 //! mesh (rows of vertices along smooth arcs, thin patches without an inner vertex) is gone after a few rounds. Then single splits and
 //! collapses meet the wanted number of vertices.
 
-use crate::BaseOptions;
 use crate::editor::{Editor, Filling, Removal};
 use crate::flips::{flip_edges, settle};
 use crate::mend::mend_ears;
 use crate::shape::is_folded;
+use crate::{BaseError, BaseOptions};
 use mesh_core::{VertexId, equilateral_edge_length};
-use region_map::Sizing;
+use region_map::{BaseCounts, BaseMesh, Sizing, Surface};
 
 /// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
 /// neither makes work for the other).
@@ -32,9 +32,23 @@ const MOST_STRETCHED: f64 = 1.6;
 /// more.
 const LEAST_PROGRESS: f64 = 0.05;
 
+/// A first base mesh with better connectivity, and with the number of vertices that is asked for, as far as that can be.
+pub(crate) fn improved(
+    surface: &Surface<'_>,
+    first: BaseMesh,
+    sizing: &Sizing,
+    options: &BaseOptions,
+) -> Result<BaseMesh, BaseError> {
+    let mut editor = Editor::new(surface, first)?;
+    improve(&mut editor, sizing, options);
+    let mut base = editor.finish()?;
+    base.counts = BaseCounts { asked: options.base_vertices, needed: 0, made: base.mesh.n_vertices(), reason: String::new() };
+    Ok(base)
+}
+
 /// Brings the number of vertices to the request, as far as corners and arcs allow, and the triangles nearer to equilateral, with
 /// edges as long as the sizing field says.
-pub(crate) fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
+fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
     if options.rounds == 0 {
         return;
     }
@@ -105,7 +119,7 @@ fn collapse_short(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64, longest:
     }
 }
 
-/// Collapses edges of faces that face against the surface, where that leaves none that does. Left alone, such a place would grow: its
+/// Takes vertices of faces that face against the surface away, where that leaves none that does. Left alone, such a place would grow: its
 /// edges wind, are split for their length, and wind all the more.
 fn collapse_folded(editor: &mut Editor<'_>) {
     for face in editor.faces() {

@@ -5,6 +5,7 @@
 
 use glam::{DVec2, DVec3};
 use mesh_core::exact::orient2d;
+use region_map::flat_barycentric;
 use std::f64::consts::{PI, TAU};
 
 /// Two triangles `a b c` and `b a d` laid flat: places of `a`, `b`, `c`, `d` with the quadrilateral `a d b c` strictly convex.
@@ -86,6 +87,12 @@ fn share_out(centre: DVec3, ring: &[DVec3], closed: bool, total: f64) -> Vec<f64
             here
         })
         .collect()
+}
+
+/// The flat triangle that holds a point, or comes nearest to: its place in the list, and the point's barycentric coordinates.
+pub(crate) fn deepest<'t>(triangles: impl IntoIterator<Item = &'t [DVec2; 3]>, p: DVec2) -> Option<(usize, DVec3)> {
+    let depths = triangles.into_iter().map(|t| flat_barycentric(t, p)).enumerate();
+    depths.max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element()))
 }
 
 /// Twice the least area among flat triangles, relative to the square of `scale`: positive when none is folded.

@@ -106,19 +106,19 @@ impl Climb {
         if !matches!(error, Error::NotCertified(_) | Error::Folded { .. } | Error::Base(_)) {
             return Err(error);
         }
-        self.warnings.push(failed_rung(rung, &error));
+        self.warnings.push(format!("{} it was tried and failed: {error}", rung.what));
         self.first_failure.get_or_insert(error);
         Ok(())
     }
 
-    fn end(self) -> Result<Remeshed, Error> {
-        match self.passed {
-            Some((_, mut remeshed)) => {
-                remeshed.report.warnings = [self.warnings, remeshed.report.warnings].concat();
-                Ok(remeshed)
-            }
-            None => Err(self.first_failure.unwrap_or(Error::NotCertified("nothing was tried".into()))),
-        }
+    fn end(mut self) -> Result<Remeshed, Error> {
+        let Some((_, mut remeshed)) = self.passed.take() else { return Err(self.failure()) };
+        remeshed.report.warnings = [self.warnings, remeshed.report.warnings].concat();
+        Ok(remeshed)
+    }
+
+    fn failure(self) -> Error {
+        self.first_failure.unwrap_or(Error::NotCertified("nothing was tried".into()))
     }
 }
 
@@ -135,15 +135,10 @@ pub(crate) fn climb_to_base(input: &Input, options: &Options, seconds: &mut Stag
             Err(e) => climb.fail(rung, e)?,
         }
     }
-    Err(climb.first_failure.unwrap_or(Error::NotCertified("nothing was tried".into())))
+    Err(climb.failure())
 }
 
 /// The mean length of the edges of the base mesh that was asked for.
 fn base_edge_length(input: &Input, remeshed: &Remeshed) -> f64 {
     equilateral_edge_length(input.cleaned.mesh.total_area(), remeshed.report.base.asked)
-}
-
-/// What the report tells of a rung that failed.
-fn failed_rung(rung: &Rung, error: &Error) -> String {
-    format!("{} it was tried and failed: {error}", rung.what)
 }

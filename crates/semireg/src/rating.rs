@@ -8,8 +8,9 @@ use region_map::{BaseMesh, Surface};
 const EXCESS_COST: f64 = 0.1;
 
 /// Rates a base mesh: the mean quality (AR) that its first subdivision has once relaxed, with 0 for triangles that stay folded, less a
-/// cost for vertices beyond those asked. It tells the order of the finest level's quality (measured on 15 models, both ways to a base
-/// mesh) for a hundredth of the work. Negative infinity for a base mesh that the stages refuse.
+/// cost for vertices beyond those asked. That is a sixteenth of the triangles of level 3. Measured on 12 models: the better of both ways at
+/// level 1 was the better one at level 3 on 8; on three the other one was better by .005 at most, on camelhead by .017, where folds
+/// decided that level 1 does not show. Negative infinity for a base mesh that the stages refuse.
 pub(crate) fn rate(surface: &Surface, base: &BaseMesh, asked: usize, options: &Options) -> f64 {
     let excess = (base.mesh.n_vertices() as f64 / asked.max(1) as f64).ln().max(0.0);
     relaxed_quality(surface, base, options).map_or(f64::NEG_INFINITY, |quality| quality - EXCESS_COST * excess)

@@ -2,12 +2,12 @@
 
 use super::Editor;
 use super::replace::Edit;
-use crate::layout::{are_unfolded, full_star, half_star};
+use crate::layout::{are_unfolded, deepest, full_star, half_star};
 use crate::shape::{inverse_mean_ratio, signed_quality};
 use crate::star::{Face, Ring, side_between};
 use glam::{DVec2, DVec3};
 use mesh_core::{SurfacePoint, VertexId};
-use region_map::{ArcId, ArcSpan, Attachment, flat_barycentric};
+use region_map::{ArcId, ArcSpan, Attachment};
 
 /// Moves shorter than this share of the mean edge of the star are not worth an edit.
 const LEAST_MOVE: f64 = 0.03;
@@ -127,8 +127,7 @@ impl Editor<'_> {
 
     /// The surface point at a place in the layout of the star of `v`.
     fn point_in_star(&self, ring: &Ring, star: &[[DVec2; 3]], at: DVec2, v: VertexId) -> Option<SurfacePoint> {
-        let weights = |t: &[DVec2; 3]| flat_barycentric(t, at);
-        let (i, w) = star.iter().map(weights).enumerate().max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element()))?;
+        let (i, w) = deepest(star, at)?;
         let face = self.face(ring.faces[i])?;
         let c = face.corner(v)?;
         // `w` begins at v, the face's own corners elsewhere.

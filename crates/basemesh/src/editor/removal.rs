@@ -5,9 +5,9 @@ use super::replace::Edit;
 use crate::filling::cheapest_filling;
 use crate::layout::{are_unfolded, full_star, half_star};
 use crate::shape::{inverse_mean_ratio, signed_quality};
-use crate::star::{Ring, side_between};
+use crate::star::{Face, Ring, side_between};
 use glam::{DVec2, DVec3};
-use mesh_core::{VertexId, exact};
+use mesh_core::{FaceId, VertexId, exact};
 use region_map::{ArcSpan, Attachment};
 
 /// How the star of a vertex is filled.
@@ -138,9 +138,9 @@ impl Editor<'_> {
         }
     }
 
-    /// The mean normal of what some faces cover.
-    fn star_normal(&self, faces: &[mesh_core::FaceId]) -> DVec3 {
-        let weighted = |face: crate::star::Face| mesh_core::area(self.triangle(&face)) * face.normal;
+    /// The mean of the normals of some faces, by their areas.
+    fn star_normal(&self, faces: &[FaceId]) -> DVec3 {
+        let weighted = |face: Face| mesh_core::area(self.triangle(&face)) * face.normal;
         faces.iter().filter_map(|&f| self.face(f)).map(weighted).sum::<DVec3>().normalize_or_zero()
     }
 }

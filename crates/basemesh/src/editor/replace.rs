@@ -53,7 +53,7 @@ impl Editor<'_> {
     }
 
     /// The share of what it covers that a face turns its back on.
-    pub(crate) fn turned(&self, f: FaceId) -> f64 {
+    fn turned(&self, f: FaceId) -> f64 {
         self.face(f).map_or(0.0, |face| self.samples.turned_share(&self.covered[f], normal(self.triangle(&face))))
     }
 

@@ -3,9 +3,10 @@
 //! The map runs backwards through the history of edits, which takes long where they are many. Samples run forwards with them (Lee et
 //! al., *MAPS*, 1998): an edit moves those of its few faces to the new ones. So a face always knows the normals that it stands for.
 
+use crate::layout::deepest;
 use glam::{DVec2, DVec3};
 use mesh_core::{IdVec, SurfacePoint};
-use region_map::{BaseMap, MapFaceId, Surface, flat_barycentric};
+use region_map::{BaseMap, MapFaceId, Surface};
 use std::sync::Arc;
 
 /// A face that turns its back on more than this share of what it covers folds there when it is subdivided.
@@ -64,8 +65,7 @@ pub(crate) fn moved<'p>(old: impl Iterator<Item = (&'p [Placed], [DVec2; 3])>, n
     for (covered, layout) in old {
         for p in covered {
             let place = p.at.x * layout[0] + p.at.y * layout[1] + p.at.z * layout[2];
-            let depths = new.iter().map(|t| flat_barycentric(t, place)).enumerate();
-            let Some((i, at)) = depths.max_by(|a, b| a.1.min_element().total_cmp(&b.1.min_element())) else { continue };
+            let Some((i, at)) = deepest(new, place) else { continue };
             let at = at.max(DVec3::ZERO);
             moved[i].push(Placed { sample: p.sample, at: at / at.element_sum() });
         }
