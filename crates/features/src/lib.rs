@@ -19,6 +19,7 @@
 mod corner;
 mod crease;
 mod detect;
+mod jump;
 mod simplify;
 mod strands;
 
