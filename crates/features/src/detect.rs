@@ -17,7 +17,7 @@ pub struct FeatureOptions {
     /// Length of an edge of the base mesh, in the units of the mesh: the resolution at which the network is simplified.
     /// 0 keeps every crease. Default 0.
     pub base_edge_length: f64,
-    /// Factor on the persistence (length times contrast times evenness) below which creases are left out as minor, not negative.
+    /// Factor on the persistence (length times strength) below which creases are left out as minor, not negative.
     /// Default 1.
     pub persistence: f64,
     /// Edges that are features whatever their angle, and are never dropped, as pairs of vertices.

@@ -43,7 +43,8 @@ impl Jumps<'_> {
             *sum += vector_area(self.mesh.triangle(f));
             for h in self.topology.halfedges(f) {
                 let Some(g) = self.topology.twin(h).map(|twin| twin.face()) else { continue };
-                let is_in = !self.network.is_barrier(self.topology.edge(h)) && self.mesh.centroid(g).distance(middle) <= 2.0 * reach;
+                let is_in =
+                    !self.network.is_barrier(self.topology.edge(h)) && self.mesh.centroid(g).distance(middle) <= 2.0 * reach;
                 if is_in && seen.len() < MOST_FACES && !seen.contains(&g) {
                     seen.push(g);
                     queue.push_back(g);

@@ -27,7 +27,8 @@ impl Shape {
         let Self { mesh, topology, network, normals } = self;
         let field = sizing(&Surface { mesh, topology, network, normals }, options);
         assert_eq!(field.relative.len(), mesh.n_vertices());
-        assert!(field.relative.iter().all(|h| (options.least..=1.0).contains(h)), "range {}..1", options.least);
+        let range = options.least..=options.range;
+        assert!(field.relative.iter().all(|h| range.contains(h)), "range {range:?}");
         for e in topology.edge_ids() {
             let [a, b] = topology.ends(e);
             let growth = (field.relative[a] - field.relative[b]).abs();
@@ -59,23 +60,24 @@ fn sphere_with_limb(length: f64, width: f64) -> TriMesh {
 }
 
 #[test]
-fn flat_sides_have_the_full_length_everywhere() {
+fn flat_sides_have_the_greatest_length_everywhere() {
     for mesh in [fixtures::plane(), fixtures::cube(1), fixtures::cube(6), fixtures::l_block(3)] {
         let shape = Shape::new(mesh);
         for share in [0.01, 0.1, 0.5] {
-            let field = shape.field(&SizingOptions::new(share * shape.mesh.diagonal()));
-            assert!(field.relative.iter().all(|h| *h == 1.0));
+            let options = SizingOptions::new(share * shape.mesh.diagonal());
+            assert!(shape.field(&options).relative.iter().all(|h| *h == options.range));
         }
     }
 }
 
-/// A sphere of radius 1 turns by `edge_length` radians along an edge: its relative length is `turn / edge_length`.
+/// A sphere of radius 1 turns by `edge_length` radians along an edge.
 #[test]
 fn on_a_sphere_the_length_is_that_of_its_radius() {
     let shape = Shape::new(fixtures::icosphere(20));
-    for edge_length in [0.8, 1.5, 1.7, 2.0, 2.4, 4.0] {
+    for edge_length in [0.15, 0.2, 0.3, 0.8, 1.5, 1.7, 2.0, 2.4, 4.0] {
         let options = SizingOptions::new(edge_length);
-        let expected = (options.turn / edge_length).clamp(options.least, 1.0);
+        let even = (options.neutral_turn / edge_length).powf(0.25).clamp(1.0 / options.range, options.range);
+        let expected = even.min((options.turn / edge_length).max(options.least));
         let field = shape.field(&options);
         assert!(field.relative.iter().all(|h| (h / expected - 1.0).abs() < 0.05), "{edge_length}: {:?}", field.relative);
     }
@@ -91,17 +93,17 @@ fn the_rim_of_a_cylinder_is_an_arc_that_bends() {
     assert!(shape.network.arcs.iter().any(|a| a.vertices.contains(&rim)));
     assert!((field.relative[rim] / 0.8 - 1.0).abs() < 0.05, "{}", field.relative[rim]);
     let middle = shape.nearest(DVec3::new(0.0, 0.0, 6.0));
-    assert_eq!(field.relative[middle], 1.0);
+    assert_eq!(field.relative[middle], options.range);
 }
 
 #[test]
 fn edges_are_short_on_a_thin_limb_and_long_on_the_body() {
     let shape = Shape::new(sphere_with_limb(1.5, 0.15));
-    let field = shape.field(&SizingOptions::new(0.6));
+    let options = SizingOptions::new(0.6);
+    let field = shape.field(&options);
     let at = |p: DVec3| field.relative[shape.nearest(p)];
     assert!(at(2.5 * DVec3::Z) < 0.7, "tip: {}", at(2.5 * DVec3::Z));
-    assert_eq!(at(-DVec3::Z), 1.0);
-    assert!(at(DVec3::X) == 1.0);
+    assert_eq!([at(-DVec3::Z), at(DVec3::X)], [1.0 / options.range; 2]);
 }
 
 #[test]
@@ -144,6 +146,6 @@ proptest! {
         };
         let shape = Shape::new(mesh);
         let edge_length = share * shape.mesh.diagonal();
-        shape.field(&SizingOptions { edge_length, turn, least, gradation });
+        shape.field(&SizingOptions { turn, least, gradation, ..SizingOptions::new(edge_length) });
     }
 }
