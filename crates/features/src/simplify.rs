@@ -26,6 +26,9 @@ const ISLAND: f64 = 1.6;
 /// A crease that stands out from its surroundings, and where the surface jumps, by this angle (degrees) or more has its full length as
 /// persistence.
 const FULL_ANGLE: f64 = 45.0;
+/// Below this angle it has none. Measured: with 0, crumbs on the noise of the fixture organic_raw add up (mean AR .857, with 20 .917), and
+/// casting and the fixture scan keep the same creases.
+const NO_ANGLE: f64 = 20.0;
 
 type Kinds = IdVec<EdgeId, Option<ArcKind>>;
 
@@ -51,7 +54,8 @@ pub(crate) fn simplify(
 }
 
 /// Length times strength of every arc, in base edge lengths. The strength of an edge is how much its angle stands out from those of the
-/// smooth edges of its two faces, or how much the surface jumps there, whichever is less. Noise has a contrast and no jump.
+/// smooth edges of its two faces, or how much the surface jumps there, whichever is less, as a share of full strength. Noise has a
+/// contrast and no jump.
 fn persistence(
     mesh: &TriMesh,
     topology: &Topology,
@@ -68,7 +72,7 @@ fn persistence(
     let jumps = Jumps { mesh, topology, network, base_edge_length };
     let of_edge = |e: EdgeId| {
         let [a, b] = topology.ends(e);
-        mesh.distance(a, b) * (contrast(e).min(jumps.at(e)) / FULL_ANGLE).clamp(0.0, 1.0)
+        mesh.distance(a, b) * ((contrast(e).min(jumps.at(e)) - NO_ANGLE) / (FULL_ANGLE - NO_ANGLE)).clamp(0.0, 1.0)
     };
     let of_arc = |arc: &Arc| arc.halfedges.iter().map(|&h| of_edge(topology.edge(h))).sum::<f64>() / base_edge_length;
     network.arcs.iter().map(of_arc).collect()

@@ -110,6 +110,34 @@ fn a_zigzag_strip_becomes_one_path() {
     assert!(creases(&raw) > 20 && creases(&simple) <= 3, "{} and {}", creases(&raw), creases(&simple));
 }
 
+/// Between -1 and 1, with no pattern.
+fn noise(x: f64, y: f64) -> f64 {
+    2.0 * ((12.9898 * x + 78.233 * y).sin() * 43758.5453).rem_euclid(1.0) - 1.0
+}
+
+#[test]
+fn a_crease_is_told_from_the_noise_of_a_scan() {
+    // A roof of 90 degrees along y = 1/2, its vertices shaken by a third of an edge.
+    let roof = sheet(60, |x, y| 0.006 * noise(x, y) - (y - 0.5).abs());
+    let raw = network(&roof, &at(0.0));
+    let kept = network(&roof, &at(0.2));
+    let sharp = |n: &Network| n.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).cloned().collect::<Vec<_>>();
+    assert!(sharp(&raw).len() > 20, "{} creases in the noise", sharp(&raw).len());
+    let kept = sharp(&kept);
+    let length: f64 = kept.iter().map(|arc| arc.length()).sum();
+    assert!((0.9..1.5).contains(&length), "{length} of a ridge of 1 in {} arcs", kept.len());
+    assert!(kept.iter().flat_map(|arc| &arc.vertices).all(|&v| (roof.position(v).y - 0.5).abs() < 0.05));
+}
+
+#[test]
+fn noise_without_a_crease_has_none() {
+    let rough = sheet(60, |x, y| 0.005 * noise(x, y));
+    assert!(network(&rough, &at(0.0)).arcs.len() > 20);
+    let kept = network(&rough, &at(0.2));
+    let length: f64 = kept.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(|arc| arc.length()).sum();
+    assert_eq!(length, 0.0, "of {}", network(&rough, &at(0.0)).crease_lengths(&rough)[0]);
+}
+
 #[test]
 fn marked_edges_stay_and_must_exist() {
     let flat = sheet(8, |_, _| 0.0);
