@@ -2,12 +2,12 @@
 
 use crate::errors::Truth;
 use crate::pairs::Pairs;
-use crate::placement::{Placement, ShapeGuard, mean_edges};
+use crate::placement::{HALVINGS, Placement, ShapeGuard, mean_edges};
 use crate::system::{Element, System};
 use crate::terrain::Terrain;
 use crate::{Errors, FitError, FitOptions};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
+use mesh_core::{EdgeId, FaceId, Id as _, IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
 use region_map::{Attachment, RegionMap, Surface};
 use std::cell::OnceCell;
 
@@ -78,6 +78,9 @@ pub fn fit(
     options: &FitOptions,
 ) -> Result<Fitted, FitError> {
     check(surface, topology, map)?;
+    if let Some(&f) = options.still.iter().find(|f| f.index() >= domain.n_faces()) {
+        return Err(FitError::NoFace(f));
+    }
     let is_barrier = surface.topology.edge_ids().map(|e| surface.network.is_barrier(e)).collect();
     let is_span = topology.edge_ids().map(|e| topology.ends(e)).map(|[a, b]| map.span(a, b).is_some()).collect();
     let input = Terrain { mesh: surface.mesh, topology: surface.topology, barriers: &is_barrier };
@@ -90,6 +93,11 @@ pub fn fit(
     let first = Placement::new(surface, domain, map);
 
     let mut now = fitter.improve(&first, &guard, &mut pairs)?;
+    if !options.still.is_empty() {
+        now.take_back(domain, &first, &options.still, HALVINGS);
+        guard.hold(&mut now, &first);
+        pairs.follow(&input, &fitter.terrain(&now.mesh(domain)?));
+    }
     for round in 0..MOST_RETREATS {
         let mesh = now.mesh(domain)?;
         let truth = fitter.truth(&mesh);

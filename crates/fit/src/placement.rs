@@ -9,7 +9,7 @@ use region_map::{Attachment, RegionMap, Surface};
 /// How far a vertex may slide over the surface in one round, as a share of the mean length of its edges.
 const SLIDE: f64 = 0.2;
 /// How often a vertex at a bad spot goes half of the way back before it goes all of it.
-const HALVINGS: usize = 4;
+pub(crate) const HALVINGS: usize = 4;
 
 /// The place of one vertex.
 #[derive(Clone, Copy, Debug)]

@@ -126,6 +126,19 @@ fn offsets_are_bounded() {
 }
 
 #[test]
+fn faces_that_are_to_stay_still_do() {
+    let bed = Bed::new(icosphere(24), &icosphere(3), 2);
+    let still: Vec<FaceId> = (0..40).map(FaceId).collect();
+    let fitted = bed.fit(&FitOptions { still: still.clone(), ..FitOptions::default() });
+    assert!(fitted.report.used);
+    for v in still.iter().flat_map(|&f| fitted.mesh.face(f)) {
+        assert_eq!((fitted.mesh.position(v), fitted.offsets[v]), (bed.domain.position(v), 0.0));
+    }
+    let options = FitOptions { still: vec![FaceId(999_999)], ..FitOptions::default() };
+    assert_eq!(bed.try_fit(&options).unwrap_err(), FitError::NoFace(FaceId(999_999)));
+}
+
+#[test]
 fn the_same_bytes_on_one_thread_and_on_two() {
     let bed = Bed::new(torus(2.0, 0.7, 60, 36), &torus(2.0, 0.7, 20, 12), 1);
     let on = |threads: usize| {

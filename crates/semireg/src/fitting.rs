@@ -1,10 +1,13 @@
-//! The fit and the certificate: what the fit has spoilt is certified without it.
+//! The fit and the certificate: what the fit has spoilt is left out of it.
 
 use crate::{Error, Options, StageSeconds};
 use certify::Certificate;
 use fit::{FitReport, Fitted};
 use mesh_core::{IdVec, Topology, TriMesh, VertexId};
 use region_map::{RegionMap, Surface};
+
+/// So often the fit is tried, each time with the triangles left alone that it turned over before.
+const TRIES: usize = 3;
 
 /// A certified mesh.
 pub(crate) struct Certified {
@@ -29,15 +32,21 @@ pub(crate) fn fit_and_certify(
 ) -> Result<Certified, Error> {
     let mut warning = None;
     if let Some(fit_options) = &options.fit {
-        let fitted = seconds.time("fit", || fit::fit(surface, &mesh, topology, &map, fit_options))?;
-        let certificate = certificate(cleaned, &fitted.mesh, options, seconds)?;
-        let Fitted { mesh: fitted_mesh, map: fitted_map, offsets, report } = fitted;
-        match certificate.failures().first() {
-            Some(failure) if report.used => warning = Some(format!("the fit was left out: with it, {failure}")),
-            _ => {
-                let certified =
-                    Certified { mesh: fitted_mesh, map: fitted_map, offsets, fit: Some(report), certificate, warning };
-                return passed(certified);
+        let mut fit_options = fit_options.clone();
+        for _ in 0..TRIES {
+            let fitted = seconds.time("fit", || fit::fit(surface, &mesh, topology, &map, &fit_options))?;
+            let certificate = certificate(cleaned, &fitted.mesh, options, seconds)?;
+            let Fitted { mesh: fitted_mesh, map: fitted_map, offsets, report } = fitted;
+            match certificate.failures().first() {
+                Some(failure) if report.used => warning = Some(format!("the fit was left out: with it, {failure}")),
+                _ => {
+                    let (mesh, map, fit) = (fitted_mesh, fitted_map, Some(report));
+                    return passed(Certified { mesh, map, offsets, fit, certificate, warning: None });
+                }
+            }
+            match certificate.measures.flipped {
+                Some(flipped) if !flipped.is_empty() => fit_options.still.extend(flipped),
+                _ => break,
             }
         }
     }
