@@ -13,7 +13,7 @@ pub enum ReadError {
         path: PathBuf,
     },
     /// The file could not be read at all.
-    #[error("cannot read {}: {source}; check the path and its permissions", path.display())]
+    #[error("cannot read {}; check the path and its permissions", path.display())]
     Io {
         /// The file.
         path: PathBuf,
@@ -54,7 +54,7 @@ pub enum WriteError {
         path: PathBuf,
     },
     /// The file could not be written.
-    #[error("cannot write {}: {source}; check that its directory exists and can be written to", path.display())]
+    #[error("cannot write {}; check that its directory exists and can be written to", path.display())]
     Io {
         /// The file.
         path: PathBuf,
