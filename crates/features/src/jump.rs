@@ -10,6 +10,8 @@ use std::collections::VecDeque;
 
 /// Radius of the region on each side, in base edge lengths.
 const REACH: f64 = 0.25;
+/// Faces that turn from the first one by an angle of less than this cosine are in no region: all round a pin normals cancel.
+const MOST_TURN: f64 = 0.5;
 /// Faces of a region at most, for inputs much finer than their base mesh.
 const MOST_FACES: usize = 200;
 
@@ -36,6 +38,7 @@ impl Jumps<'_> {
     fn mean_normals(&self, first: FaceId, middle: DVec3) -> (DVec3, DVec3) {
         let reach = REACH * self.base_edge_length;
         let (mut near, mut far) = (DVec3::ZERO, DVec3::ZERO);
+        let normal = self.mesh.normal(first);
         let mut seen = vec![first];
         let mut queue = VecDeque::from([first]);
         while let Some(f) = queue.pop_front() {
@@ -43,9 +46,9 @@ impl Jumps<'_> {
             *sum += vector_area(self.mesh.triangle(f));
             for h in self.topology.halfedges(f) {
                 let Some(g) = self.topology.twin(h).map(|twin| twin.face()) else { continue };
-                let is_in =
-                    !self.network.is_barrier(self.topology.edge(h)) && self.mesh.centroid(g).distance(middle) <= 2.0 * reach;
-                if is_in && seen.len() < MOST_FACES && !seen.contains(&g) {
+                let is_near =
+                    self.mesh.centroid(g).distance(middle) <= 2.0 * reach && self.mesh.normal(g).dot(normal) >= MOST_TURN;
+                if is_near && !self.network.is_barrier(self.topology.edge(h)) && seen.len() < MOST_FACES && !seen.contains(&g) {
                     seen.push(g);
                     queue.push_back(g);
                 }

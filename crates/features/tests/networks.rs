@@ -130,6 +130,24 @@ fn a_crease_is_told_from_the_noise_of_a_scan() {
 }
 
 #[test]
+fn rims_of_small_pins_are_kept_as_long_as_there_are_few() {
+    // Pins with a girth of five quarters of a base edge over a sheet that takes 29 base vertices: a third of them is enough for three rims.
+    let pin = fixtures::cylinder(0.04, 0.05, 12);
+    let ground = sheet(20, |_, _| 0.0);
+    for (pins, kept) in [(1, 2), (4, 3)] {
+        let mut positions = ground.positions().as_slice().to_vec();
+        let mut faces: Vec<[u32; 3]> = ground.faces().iter().map(|f| f.map(|v| v.0)).collect();
+        for i in 0..pins {
+            let first = positions.len() as u32;
+            positions.extend(pin.positions().iter().map(|&p| p + glam::DVec3::new(0.1 * f64::from(i), 0.0, 1.0)));
+            faces.extend(pin.faces().iter().map(|f| f.map(|v| v.0 + first)));
+        }
+        let network = network(&TriMesh::new(positions, faces).expect("a mesh"), &at(0.2));
+        assert_eq!(network.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).count(), kept, "of {pins} pins");
+    }
+}
+
+#[test]
 fn noise_without_a_crease_has_none() {
     let rough = sheet(60, |x, y| 0.005 * noise(x, y));
     assert!(network(&rough, &at(0.0)).arcs.len() > 20);

@@ -10,8 +10,9 @@ use std::borrow::Cow;
 /// Newton steps after snapping: it moves few vertices, and from a relaxed start.
 const STEPS: usize = 4;
 const UNTANGLING_STEPS: usize = 8;
-/// So often what came out poor is let go, and the rest snapped anew.
-const ROUNDS: usize = 3;
+/// So often the domain is snapped, each time without what came out poor before. A few poor triangles of the last time are borne: they are
+/// not worth all creases.
+const ROUNDS: usize = 4;
 
 /// A relaxed domain, and the network that it hangs on.
 pub(crate) struct Settled<'a> {
@@ -24,8 +25,8 @@ pub(crate) struct Settled<'a> {
     pub(crate) warning: Option<String>,
 }
 
-/// Snaps the domain to bends and minor creases and relaxes it again; as it was where there are none, where all came out poor,
-/// where more triangles are inverted than before, or where it fails.
+/// Snaps the domain to bends and minor creases and relaxes it again; as it was where there are none, where more triangles are inverted
+/// than before, or where it fails.
 pub(crate) fn settle<'a>(surface: &Surface<'a>, relaxed: Relaxed, topology: &Topology, options: &RelaxOptions) -> Settled<'a> {
     let warning = match snapped(surface, &relaxed, topology, options) {
         Ok(Some(settled)) => return settled,
@@ -48,14 +49,14 @@ fn snapped(
     };
     let snap_options = SnapOptions::default();
     let mut let_go = LetGo::default();
-    for _ in 0..ROUNDS {
+    for round in 1..=ROUNDS {
         let snapped = snap::snap(surface, &relaxed.mesh, topology, &relaxed.map, &let_go, &snap_options)?;
         if snapped.is_unchanged() {
             return Ok(None);
         }
         let mut again = relax::relax(&snapped.surface(surface), &snapped.mesh, topology, &snapped.map, &few_steps)?;
         let poor = snapped.poor(topology, &relaxed.mesh, &again.mesh, &snap_options);
-        if poor == LetGo::default() {
+        if poor == LetGo::default() || round == ROUNDS {
             let RelaxReport { end, shape_steps, .. } = again.report;
             again.report = RelaxReport { end, shape_steps: relaxed.report.shape_steps + shape_steps, ..relaxed.report };
             let counts = [snapped.bends.len(), snapped.tracks.len()];
