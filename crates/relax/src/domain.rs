@@ -16,6 +16,10 @@ pub(crate) struct Domain<'a> {
     normals: IdVec<HalfedgeId, CornerNormal>,
     /// No vertex inside a sheet moves farther in a step.
     pub(crate) longest_move: f64,
+    /// Vertices that stay whatever their freedom.
+    pub(crate) held: IdVec<VertexId, bool>,
+    /// The faces that can change: all that have a vertex which is not held, in order.
+    pub(crate) moving: Vec<FaceId>,
 }
 
 /// What a vertex is free to do.
@@ -84,7 +88,23 @@ impl<'a> Domain<'a> {
             }
         }
         let mean_edge = (surface.mesh.total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
-        Ok(Self { surface, topology, map, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
+        let held = IdVec::filled(false, topology.n_vertices());
+        let moving = topology.faces().ids().collect();
+        Ok(Self { surface, topology, map, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge, held, moving })
+    }
+
+    /// Holds all vertices that are more than so many edges away from some faces.
+    pub(crate) fn hold_beyond(&mut self, faces: &[FaceId], edges: usize) {
+        let mut held = IdVec::filled(true, self.topology.n_vertices());
+        let mut free: Vec<VertexId> = faces.iter().flat_map(|&f| self.topology.face(f)).collect();
+        for _ in 0..=edges {
+            free.iter().for_each(|&v| held[v] = false);
+            free = free.iter().flat_map(|&v| self.topology.one_ring(v)).filter(|&w| held[w]).collect();
+            free.sort_unstable();
+            free.dedup();
+        }
+        self.moving.retain(|&f| self.topology.face(f).into_iter().any(|v| !held[v]));
+        self.held = held;
     }
 
     /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of

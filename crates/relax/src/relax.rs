@@ -6,7 +6,7 @@ use crate::placement::Placement;
 use crate::quadric::relax_quadric;
 use crate::shape::optimise_shape;
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
-use mesh_core::{Topology, TriMesh};
+use mesh_core::{FaceId, Topology, TriMesh};
 use region_map::{RegionMap, Surface};
 
 /// Mean quality that the shape optimisation may give up: where the start is good, it is the worst triangles that it lifts.
@@ -19,6 +19,8 @@ pub struct Relaxed {
     pub mesh: TriMesh,
     /// The map with new points, arc lengths and spans.
     pub map: RegionMap,
+    /// The triangles that still face against the surface or have no area, in rising order.
+    pub inverted: Vec<FaceId>,
     /// What was reached.
     pub report: RelaxReport,
 }
@@ -61,28 +63,64 @@ pub fn relax(
 
     let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
-    let mender = Mender::new(&domain);
-    let (mut best, mut shape_steps) = shaped_and_mended(&domain, &mender, &relaxed, &options.shape)?;
-    let mut end = Quality::of(&best, &domain);
+    let (best, end, shape_steps) = best_shape(&domain, relaxed, after_quadric, &options.shape)?;
+    let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
+    finished(&domain, mesh, best, report)
+}
+
+/// Optimises the shape of the triangles around some faces alone: vertices more than `edges` edges away from them stay where they are.
+/// For the last folds of a mesh that is relaxed; otherwise as [`relax`], without the paper's relaxation.
+pub fn relax_around(
+    surface: &Surface,
+    domain: &TriMesh,
+    topology: &Topology,
+    map: &RegionMap,
+    (faces, edges): (&[FaceId], usize),
+    options: &ShapeOptions,
+) -> Result<Relaxed, RelaxError> {
+    let mesh = domain;
+    let mut domain = Domain::new(surface, topology, map)?;
+    domain.hold_beyond(faces, edges);
+    let placement = Placement::of_map(&domain);
+    let start = Quality::of(&placement, &domain);
+    let (best, end, shape_steps) = best_shape(&domain, placement, start, options)?;
+    finished(&domain, mesh, best, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
+}
+
+/// The start with optimised shapes, or itself where it was better; its quality, and the number of Newton steps.
+fn best_shape(
+    domain: &Domain,
+    start: Placement,
+    start_quality: Quality,
+    options: &ShapeOptions,
+) -> Result<(Placement, Quality, usize), RelaxError> {
+    let mender = Mender::new(domain);
+    let (mut best, mut shape_steps) = shaped_and_mended(domain, &mender, &start, options)?;
+    let mut end = Quality::of(&best, domain);
     if end.inverted > 0 {
         // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
-        let smooth_only = ShapeOptions { untangling_steps: 0, ..options.shape.clone() };
-        let mut mended = relaxed.clone();
+        let smooth_only = ShapeOptions { untangling_steps: 0, ..options.clone() };
+        let mut mended = start.clone();
         mender.mend_folds(&mut mended);
-        let (other, steps) = shaped_and_mended(&domain, &mender, &mended, &smooth_only)?;
-        let quality = Quality::of(&other, &domain);
+        let (other, steps) = shaped_and_mended(domain, &mender, &mended, &smooth_only)?;
+        let quality = Quality::of(&other, domain);
         shape_steps += steps;
         if quality.is_better_than(&end) {
             (best, end) = (other, quality);
         }
     }
     let end_at_least = Quality { ar_mean: end.ar_mean + SLACK, ..end };
-    if after_quadric.is_better_than(&end_at_least) {
-        (best, end) = (relaxed, after_quadric);
+    if start_quality.is_better_than(&end_at_least) {
+        (best, end) = (start, start_quality);
     }
-    let (mesh, map) = best.into_domain(&domain, mesh)?;
-    let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
-    Ok(Relaxed { mesh, map, report })
+    Ok((best, end, shape_steps))
+}
+
+fn finished(domain: &Domain, mesh: &TriMesh, best: Placement, report: RelaxReport) -> Result<Relaxed, RelaxError> {
+    let upright = |f: &FaceId| best.signed_area(domain, *f) > 0.0;
+    let inverted = domain.topology.faces().ids().filter(|f| !upright(f)).collect();
+    let (mesh, map) = best.into_domain(domain, mesh)?;
+    Ok(Relaxed { mesh, map, inverted, report })
 }
 
 /// Shape optimisation, and then the mending of what it left folded. Returns the number of Newton steps, too.

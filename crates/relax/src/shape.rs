@@ -53,7 +53,8 @@ pub(crate) fn optimise_shape(
 
 struct Optimiser<'a> {
     domain: &'a Domain<'a>,
-    faces: Vec<FaceId>,
+    /// The faces that can change, in rising order.
+    faces: &'a [FaceId],
     pattern: Pattern,
     targets: IdVec<FaceId, f64>,
     metric: Metric,
@@ -73,16 +74,17 @@ struct Step {
 
 impl<'a> Optimiser<'a> {
     fn new(domain: &'a Domain<'a>, placement: Placement, options: &ShapeOptions) -> Result<Self, RelaxError> {
-        let faces = domain.faces();
+        let faces = &domain.moving;
+        let n_faces = domain.topology.n_faces();
         let targets = match &options.target {
             TargetArea::SheetMean => sheet_means(domain, &placement),
-            TargetArea::PerFace(areas) if areas.len() == faces.len() && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
+            TargetArea::PerFace(areas) if areas.len() == n_faces && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
                 areas.clone()
             }
-            TargetArea::PerFace(_) => return Err(RelaxError::TargetArea { faces: faces.len() }),
+            TargetArea::PerFace(_) => return Err(RelaxError::TargetArea { faces: n_faces }),
         };
         let metric = Metric { power: 1.0, size_weight: options.size_weight.max(0.0) };
-        let eps = IdVec::filled(0.0, faces.len());
+        let eps = IdVec::filled(0.0, n_faces);
         Ok(Self { domain, pattern: Pattern::new(domain.topology), faces, targets, metric, eps, placement })
     }
 
@@ -108,7 +110,7 @@ impl<'a> Optimiser<'a> {
         // What is still inverted stays regularised, so that all others can go on.
         let areas = self.placement.signed_areas(self.domain);
         let inverted_eps = |f: FaceId| if areas[f] > 0.0 { 0.0 } else { REGULARISATION * SOUND_AREA * scales[f] };
-        self.eps = self.faces.iter().map(|&f| inverted_eps(f)).collect();
+        self.eps = areas.ids().map(inverted_eps).collect();
         steps
     }
 
@@ -134,7 +136,7 @@ impl<'a> Optimiser<'a> {
     fn step(&self, hold: bool, present: &[f64]) -> Option<Step> {
         let before = present.iter().sum();
         let frames = self.frames();
-        let system = System::assemble(&self.pattern, self.domain.topology, &self.elements(&frames));
+        let system = System::assemble(&self.pattern, self.domain.topology, self.faces.iter().zip(&self.elements(&frames)));
         let solution = system.solve(SOLVER_TOLERANCE, SOLVER_STEPS);
         // No vertex' way is cut short by itself: where a whole region slides, that would squeeze it (measured on the rabbit: .930
         // after 30 steps instead of .979).
@@ -165,7 +167,10 @@ impl<'a> Optimiser<'a> {
             return (wild, wild_energies);
         }
         let mut tamed = wild.clone();
-        let grew = |trial: &Placement, f: FaceId| self.triangle(trial, f).energy(&self.metric) > MOST_GROWTH * before[f.index()];
+        let grew = |trial: &Placement, f: FaceId| {
+            let i = self.faces.partition_point(|&g| g < f);
+            self.triangle(trial, f).energy(&self.metric) > MOST_GROWTH * before[i]
+        };
         tamed.take_back(self.domain, &self.placement, grew);
         let tamed_energies = self.energies(&tamed);
         let is_better = tamed_energies.iter().sum::<f64>() < wild_energies.iter().sum();
@@ -192,6 +197,7 @@ impl<'a> Optimiser<'a> {
             let spot = &self.placement[v];
             match &self.domain.freedoms[v] {
                 Freedom::Fixed => [DVec3::ZERO; 2],
+                _ if self.domain.held[v] => [DVec3::ZERO; 2],
                 Freedom::Rail(rail) => [self.domain.rail_direction(rail, spot.t), DVec3::ZERO],
                 Freedom::Sheet => match spot.normals[0].try_normalize() {
                     Some(normal) => normal.any_orthonormal_pair().into(),

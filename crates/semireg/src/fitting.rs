@@ -1,5 +1,6 @@
 //! The fit and the certificate: what the fit has spoilt is certified without it.
 
+use crate::pipeline::Failed;
 use crate::{Error, Options, StageSeconds};
 use certify::Certificate;
 use fit::{FitReport, Fitted};
@@ -26,7 +27,7 @@ pub(crate) fn fit_and_certify(
     topology: &Topology,
     options: &Options,
     seconds: &mut StageSeconds,
-) -> Result<Certified, Error> {
+) -> Result<Certified, Failed> {
     let mut warning = None;
     if let Some(fit_options) = &options.fit {
         let fitted = seconds.time("fit", || fit::fit(surface, &mesh, topology, &map, fit_options))?;
@@ -51,9 +52,12 @@ fn certificate(cleaned: &TriMesh, mesh: &TriMesh, options: &Options, seconds: &m
     Ok(seconds.time("certify", || certify::certify(cleaned, mesh, options.levels, &Default::default()))?)
 }
 
-fn passed(certified: Certified) -> Result<Certified, Error> {
+fn passed(certified: Certified) -> Result<Certified, Failed> {
     match certified.certificate.failures().first() {
-        Some(failure) => Err(Error::NotCertified(failure.to_string())),
+        Some(failure) => {
+            let folded = certified.certificate.measures.flipped.clone().unwrap_or_default();
+            Err(Failed { error: Error::NotCertified(failure.to_string()), folded })
+        }
         None => Ok(certified),
     }
 }

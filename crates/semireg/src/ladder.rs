@@ -72,7 +72,7 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
             }
             needed = needed.max(stages.base.counts.needed);
             climb.triangles += finest_triangles(&stages, options.levels)?;
-            match run(stages, options, seconds) {
+            match run(&stages, options, seconds).map_err(|failed| failed.error) {
                 Ok(remeshed) => {
                     if climb.pass(input, options, rung, remeshed) {
                         break 'rungs;

@@ -1,13 +1,15 @@
 //! The stages in order.
 
-use crate::base_stages::BaseStages;
+use crate::base_stages::{BaseStages, Way};
 use crate::fitting::fit_and_certify;
 use crate::input::Input;
 use crate::ladder::{climb, climb_to_base};
+use crate::repair::{OnBase, repaired};
 use crate::snapping::{Settled, settle};
 use crate::{Error, Options, Report, StageSeconds};
-use mesh_core::{IdVec, Soup, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, IdVec, Soup, Topology, TriMesh, VertexId};
 use region_map::{Network, RegionMap, Surface};
+use std::borrow::Cow;
 
 /// What the stages from the base mesh on made.
 #[derive(Clone, Debug)]
@@ -85,9 +87,22 @@ pub(crate) fn finest_triangles(stages: &BaseStages, levels: u32) -> Result<u64, 
     Ok(triangles)
 }
 
+/// Why a base mesh has come to no result.
+pub(crate) struct Failed {
+    pub(crate) error: Error,
+    /// The triangles of the finest level that face against the surface, as far as this is known, in rising order.
+    pub(crate) folded: Vec<FaceId>,
+}
+
+impl<E: Into<Error>> From<E> for Failed {
+    fn from(error: E) -> Self {
+        Self { error: error.into(), folded: Vec::new() }
+    }
+}
+
 /// The stages after the base mesh.
-pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
-    let BaseStages { cleaned, working, network, normals, base, .. } = &stages;
+pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Failed> {
+    let BaseStages { cleaned, working, network, normals, base, .. } = stages;
     let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals };
     let domain = seconds.time("subdivide", || subdiv::subdivide(&base.mesh, &base.region, options.levels))?;
     // A base mesh from elsewhere may have no map.
@@ -98,6 +113,11 @@ pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeco
     let relaxed =
         seconds.time("relax", || relax::relax(&surface, &projected.mesh, &topology, &projected.region, &options.relax))?;
     is_worth_more(&relaxed, HOPELESS)?;
+    let repaired = match stages.way {
+        Way::Given => None,
+        _ => seconds.time("repair", || repaired(&surface, &cleaned.mesh, base, (&topology, &relaxed), options))?,
+    };
+    let OnBase { base, topology, relaxed } = repaired.unwrap_or(OnBase { base: Cow::Borrowed(base), topology, relaxed });
     let settled = seconds.time("snap", || settle(&surface, relaxed, &topology, &options.relax));
     is_worth_more(&settled.relaxed, HOPELESS_AT_LAST)?;
     let Settled { network, normals, relaxed, snapped, warning } = settled;
@@ -123,13 +143,14 @@ pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeco
         network: surface.network.clone(),
         region: certified.map,
         offsets: certified.offsets,
-        base: stages,
+        base: BaseStages { base: base.into_owned(), ..stages.clone() },
     };
     Ok(Remeshed { mesh: certified.mesh, report, stages })
 }
 
 /// Fails where more than a share of the triangles is folded.
-fn is_worth_more(relaxed: &relax::Relaxed, most_folded: f64) -> Result<(), Error> {
-    let (inverted, faces) = (relaxed.report.end.inverted, relaxed.mesh.n_faces());
-    if inverted as f64 > most_folded * faces as f64 { Err(Error::Folded { inverted, faces }) } else { Ok(()) }
+fn is_worth_more(relaxed: &relax::Relaxed, most_folded: f64) -> Result<(), Failed> {
+    let (inverted, faces) = (relaxed.inverted.len(), relaxed.mesh.n_faces());
+    let failed = || Failed { error: Error::Folded { inverted, faces }, folded: relaxed.inverted.clone() };
+    if inverted as f64 > most_folded * faces as f64 { Err(failed()) } else { Ok(()) }
 }
