@@ -23,15 +23,15 @@ const ROUNDS: usize = 20;
 const DIRECTIONS: usize = 12;
 const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
 
-/// Mends placements of one domain. The surface is indexed once, when first asked for.
+/// Mends placements of one domain. The surface is indexed when first asked for.
 pub(crate) struct Mender<'a> {
     domain: &'a Domain<'a>,
-    index: OnceCell<SurfaceIndex>,
+    index: &'a OnceCell<SurfaceIndex>,
 }
 
 impl<'a> Mender<'a> {
-    pub(crate) fn new(domain: &'a Domain<'a>) -> Self {
-        Self { domain, index: OnceCell::new() }
+    pub(crate) fn new(domain: &'a Domain<'a>, index: &'a OnceCell<SurfaceIndex>) -> Self {
+        Self { domain, index }
     }
 
     /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
@@ -83,7 +83,7 @@ impl Sight<'_> {
 
     /// Moves a vertex to the best place that it finds; false where it stays.
     fn improve(&self, placement: &mut Placement, v: VertexId) -> bool {
-        if self.domain.held[v] || matches!(self.domain.freedoms[v], Freedom::Fixed) {
+        if self.domain.is_held(v) || matches!(self.domain.freedoms[v], Freedom::Fixed) {
             return false;
         }
         let start = placement[v];

@@ -6,11 +6,15 @@ use crate::placement::Placement;
 use crate::quadric::relax_quadric;
 use crate::shape::optimise_shape;
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
-use mesh_core::{FaceId, Topology, TriMesh};
+use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, Topology, TriMesh, VertexId};
 use region_map::{RegionMap, Surface};
+use std::cell::OnceCell;
+use std::collections::BTreeSet;
 
 /// Mean quality that the shape optimisation may give up: where the start is good, it is the worst triangles that it lifts.
 const SLACK: f64 = 2e-3;
+/// The same round a fold: there the worst triangle is all that counts.
+const LOCAL_SLACK: f64 = 0.1;
 
 /// A relaxed domain.
 #[derive(Clone, Debug)]
@@ -63,13 +67,15 @@ pub fn relax(
 
     let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
-    let (best, end, shape_steps) = best_shape(&domain, relaxed, after_quadric, &options.shape)?;
+    let (best, end, shape_steps) = best_shape(&domain, &OnceCell::new(), (relaxed, after_quadric), SLACK, &options.shape)?;
     let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
     finished(&domain, mesh, best, report)
 }
 
-/// Optimises the shape of the triangles around some faces alone: vertices more than `edges` edges away from them stay where they are.
-/// For the last folds of a mesh that is relaxed; otherwise as [`relax`], without the paper's relaxation.
+/// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they are.
+///
+/// For the last folds of a relaxed domain: each place is relaxed by itself, as if there were no others. Otherwise as [`relax`], without
+/// the paper's relaxation.
 pub fn relax_around(
     surface: &Surface,
     domain: &TriMesh,
@@ -80,21 +86,58 @@ pub fn relax_around(
 ) -> Result<Relaxed, RelaxError> {
     let mesh = domain;
     let mut domain = Domain::new(surface, topology, map)?;
-    domain.hold_beyond(faces, edges);
-    let placement = Placement::of_map(&domain);
+    let all: Vec<VertexId> = domain.free.clone();
+    let mut placement = Placement::of_map(&domain);
     let start = Quality::of(&placement, &domain);
-    let (best, end, shape_steps) = best_shape(&domain, placement, start, options)?;
-    finished(&domain, mesh, best, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
+    let (index, mut shape_steps) = (OnceCell::new(), 0);
+    for place in places(topology, faces) {
+        domain.free_only(within(topology, &place, edges));
+        let before = Quality::of(&placement, &domain);
+        let (best, _, steps) = best_shape(&domain, &index, (placement, before), LOCAL_SLACK, options)?;
+        placement = best;
+        shape_steps += steps;
+    }
+    domain.free_only(all);
+    let end = Quality::of(&placement, &domain);
+    finished(&domain, mesh, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
+}
+
+/// Some faces, sorted into places that have no vertex in common.
+fn places(topology: &Topology, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
+    let mut left: BTreeSet<FaceId> = faces.iter().copied().collect();
+    let mut places = Vec::new();
+    while let Some(first) = left.pop_first() {
+        let mut place = vec![first];
+        let mut next = 0;
+        while let Some(&f) = place.get(next) {
+            let around = topology.face(f).into_iter().flat_map(|v| topology.fan(v)).map(HalfedgeId::face);
+            place.extend(around.filter(|g| left.remove(g)));
+            next += 1;
+        }
+        places.push(place);
+    }
+    places
+}
+
+/// The vertices at most so many edges away from some faces, in rising order.
+fn within(topology: &Topology, faces: &[FaceId], edges: usize) -> Vec<VertexId> {
+    let mut reached: BTreeSet<VertexId> = faces.iter().flat_map(|&f| topology.face(f)).collect();
+    let mut last: Vec<VertexId> = reached.iter().copied().collect();
+    for _ in 0..edges {
+        last = last.into_iter().flat_map(|v| topology.one_ring(v)).filter(|&w| reached.insert(w)).collect();
+    }
+    reached.into_iter().collect()
 }
 
 /// The start with optimised shapes, or itself where it was better; its quality, and the number of Newton steps.
 fn best_shape(
     domain: &Domain,
-    start: Placement,
-    start_quality: Quality,
+    index: &OnceCell<SurfaceIndex>,
+    (start, start_quality): (Placement, Quality),
+    slack: f64,
     options: &ShapeOptions,
 ) -> Result<(Placement, Quality, usize), RelaxError> {
-    let mender = Mender::new(domain);
+    let mender = Mender::new(domain, index);
     let (mut best, mut shape_steps) = shaped_and_mended(domain, &mender, &start, options)?;
     let mut end = Quality::of(&best, domain);
     if end.inverted > 0 {
@@ -109,7 +152,7 @@ fn best_shape(
             (best, end) = (other, quality);
         }
     }
-    let end_at_least = Quality { ar_mean: end.ar_mean + SLACK, ..end };
+    let end_at_least = Quality { ar_mean: end.ar_mean + slack, ..end };
     if start_quality.is_better_than(&end_at_least) {
         (best, end) = (start, start_quality);
     }

@@ -1,6 +1,5 @@
 //! The fit and the certificate: what the fit has spoilt is certified without it.
 
-use crate::pipeline::Failed;
 use crate::{Error, Options, StageSeconds};
 use certify::Certificate;
 use fit::{FitReport, Fitted};
@@ -27,7 +26,7 @@ pub(crate) fn fit_and_certify(
     topology: &Topology,
     options: &Options,
     seconds: &mut StageSeconds,
-) -> Result<Certified, Failed> {
+) -> Result<Certified, Error> {
     let mut warning = None;
     if let Some(fit_options) = &options.fit {
         let fitted = seconds.time("fit", || fit::fit(surface, &mesh, topology, &map, fit_options))?;
@@ -52,12 +51,9 @@ fn certificate(cleaned: &TriMesh, mesh: &TriMesh, options: &Options, seconds: &m
     Ok(seconds.time("certify", || certify::certify(cleaned, mesh, options.levels, &Default::default()))?)
 }
 
-fn passed(certified: Certified) -> Result<Certified, Failed> {
+fn passed(certified: Certified) -> Result<Certified, Error> {
     match certified.certificate.failures().first() {
-        Some(failure) => {
-            let folded = certified.certificate.measures.flipped.clone().unwrap_or_default();
-            Err(Failed { error: Error::NotCertified(failure.to_string()), folded })
-        }
+        Some(failure) => Err(Error::NotCertified(failure.to_string())),
         None => Ok(certified),
     }
 }

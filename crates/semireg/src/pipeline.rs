@@ -7,7 +7,7 @@ use crate::ladder::{climb, climb_to_base};
 use crate::repair::{OnBase, repaired};
 use crate::snapping::{Settled, settle};
 use crate::{Error, Options, Report, StageSeconds};
-use mesh_core::{FaceId, IdVec, Soup, Topology, TriMesh, VertexId};
+use mesh_core::{IdVec, Soup, Topology, TriMesh, VertexId};
 use region_map::{Network, RegionMap, Surface};
 use std::borrow::Cow;
 
@@ -87,21 +87,8 @@ pub(crate) fn finest_triangles(stages: &BaseStages, levels: u32) -> Result<u64, 
     Ok(triangles)
 }
 
-/// Why a base mesh has come to no result.
-pub(crate) struct Failed {
-    pub(crate) error: Error,
-    /// The triangles of the finest level that face against the surface, as far as this is known, in rising order.
-    pub(crate) folded: Vec<FaceId>,
-}
-
-impl<E: Into<Error>> From<E> for Failed {
-    fn from(error: E) -> Self {
-        Self { error: error.into(), folded: Vec::new() }
-    }
-}
-
 /// The stages after the base mesh.
-pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Failed> {
+pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
     let BaseStages { cleaned, working, network, normals, base, .. } = stages;
     let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals };
     let domain = seconds.time("subdivide", || subdiv::subdivide(&base.mesh, &base.region, options.levels))?;
@@ -113,11 +100,12 @@ pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSec
     let relaxed =
         seconds.time("relax", || relax::relax(&surface, &projected.mesh, &topology, &projected.region, &options.relax))?;
     is_worth_more(&relaxed, HOPELESS)?;
-    let repaired = match stages.way {
-        Way::Given => None,
-        _ => seconds.time("repair", || repaired(&surface, &cleaned.mesh, base, (&topology, &relaxed), options))?,
+    let as_it_is = OnBase { base: Cow::Borrowed(base), topology, relaxed };
+    let OnBase { base, topology, relaxed } = match stages.way {
+        // A base mesh from elsewhere stays as it is.
+        Way::Given => as_it_is,
+        _ => seconds.time("repair", || repaired(&surface, &cleaned.mesh, as_it_is, options))?,
     };
-    let OnBase { base, topology, relaxed } = repaired.unwrap_or(OnBase { base: Cow::Borrowed(base), topology, relaxed });
     let settled = seconds.time("snap", || settle(&surface, relaxed, &topology, &options.relax));
     is_worth_more(&settled.relaxed, HOPELESS_AT_LAST)?;
     let Settled { network, normals, relaxed, snapped, warning } = settled;
@@ -149,8 +137,7 @@ pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSec
 }
 
 /// Fails where more than a share of the triangles is folded.
-fn is_worth_more(relaxed: &relax::Relaxed, most_folded: f64) -> Result<(), Failed> {
+fn is_worth_more(relaxed: &relax::Relaxed, most_folded: f64) -> Result<(), Error> {
     let (inverted, faces) = (relaxed.inverted.len(), relaxed.mesh.n_faces());
-    let failed = || Failed { error: Error::Folded { inverted, faces }, folded: relaxed.inverted.clone() };
-    if inverted as f64 > most_folded * faces as f64 { Err(failed()) } else { Ok(()) }
+    if inverted as f64 > most_folded * faces as f64 { Err(Error::Folded { inverted, faces }) } else { Ok(()) }
 }

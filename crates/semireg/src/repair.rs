@@ -3,89 +3,114 @@
 use crate::{Error, Options};
 use certify::{DEGENERATE_ASPECT_RATIO, flipped};
 use mesh_core::{FaceId, Id as _, Topology, TriMesh, VertexId, walk};
-use region_map::{ArcSpan, Attachment, BaseMesh, RegionMap, Surface};
+use region_map::{ArcSpan, Attachment, BaseCounts, BaseMesh, RegionMap, Surface};
 use relax::{Relaxed, relax_around};
 use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
 use subdiv::{Bisected, Faces, SubdivDomain};
 
-/// Rounds of bisections.
-const ROUNDS: usize = 10;
-/// Where a greater share of the triangles is folded the base mesh is wrong, not a few of its faces.
-const MOST_FOLDED: f64 = 2e-3;
+/// Rounds at most. Most places come free in one or two, without a new vertex.
+const ROUNDS: usize = 12;
+/// So many rounds in a row without fewer failing triangles than ever before end them.
+const MOST_IDLE: usize = 3;
+/// Where a round leaves at most this share of the failing triangles, the next one goes on without bisections.
+const ENOUGH: f64 = 0.5;
+/// Where a greater share of the triangles fails the base mesh is wrong, not a few of its faces.
+const MOST_FAILING: f64 = 2e-3;
 /// The base mesh grows by this share at most, and by [`LEAST_GROWTH`] vertices if that is more.
 const MOST_GROWTH: f64 = 0.03;
 const LEAST_GROWTH: usize = 8;
 
 /// A relaxed domain with its base mesh.
+#[derive(Clone)]
 pub(crate) struct OnBase<'a> {
     pub(crate) base: Cow<'a, BaseMesh>,
     pub(crate) topology: Topology,
     pub(crate) relaxed: Relaxed,
 }
 
-/// Mends a relaxed domain with a few triangles that face against the surface, as the certificate sees it. Vertices far from them stay
-/// where they are. `None` where there are none, too many, or where some are left.
+/// Mends a relaxed domain with a few triangles that the certificate would refuse. Vertices far from them stay where they are. The domain
+/// as it was where there are none, or so many that the base mesh is wrong. Fails where some are left that face against the input.
 ///
 /// First the triangles around are relaxed by themselves: among hundreds of thousands a few have little say. Then the base faces under the
-/// folds are bisected at their longest edges. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so
-/// the relaxed places are the start of the next round.
+/// folds are bisected. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so the relaxed places are
+/// the start of the next round.
 pub(crate) fn repaired<'a>(
     surface: &Surface,
     cleaned: &TriMesh,
-    base: &'a BaseMesh,
-    (topology, relaxed): (&Topology, &Relaxed),
+    start: OnBase<'a>,
     options: &Options,
-) -> Result<Option<OnBase<'a>>, Error> {
-    let Ok(input) = certify::Surface::new(cleaned) else { return Ok(None) };
-    let folds = |relaxed: &Relaxed| failing(&input, &relaxed.mesh);
-    let mut folded = folds(relaxed);
-    let n_faces = relaxed.mesh.n_faces() as f64;
-    let most_vertices = base.mesh.n_vertices() + LEAST_GROWTH.max((MOST_GROWTH * base.mesh.n_vertices() as f64) as usize);
-    if folded.is_empty() || folded.len() as f64 > MOST_FOLDED * n_faces {
-        return Ok(None);
+) -> Result<OnBase<'a>, Error> {
+    let Ok(input) = certify::Surface::new(cleaned) else { return Ok(start) };
+    let mut failing = Failing::of(&start, &input);
+    if failing.faces.is_empty() || failing.faces.len() as f64 > MOST_FAILING * start.relaxed.mesh.n_faces() as f64 {
+        return Ok(start);
     }
-    let reach = 1 << options.levels;
-    let again = |now: &OnBase, around: &[FaceId]| {
-        relax_around(surface, &now.relaxed.mesh, &now.topology, &now.relaxed.map, (around, reach), &options.relax.shape)
-    };
-    let mut now = OnBase { base: Cow::Borrowed(base), topology: topology.clone(), relaxed: relaxed.clone() };
+    let n = start.base.mesh.n_vertices();
+    let most_vertices = n + LEAST_GROWTH.max((MOST_GROWTH * n as f64) as usize);
+    let (mut now, mut around, mut least, mut idle) = (start.clone(), failing.faces.clone(), usize::MAX, 0);
     for _ in 0..ROUNDS {
-        now.relaxed = again(&now, &folded)?;
-        folded = folds(&now.relaxed);
-        if folded.is_empty() {
-            return Ok(Some(now));
+        let before = failing.faces.len();
+        let OnBase { topology, relaxed, .. } = &now;
+        let places = (around.as_slice(), 1 << options.levels);
+        now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, places, &options.relax.shape)?;
+        failing = Failing::of(&now, &input);
+        let left = failing.faces.len();
+        idle = if left < least { 0 } else { idle + 1 };
+        least = least.min(left);
+        if left == 0 || idle == MOST_IDLE {
+            break;
         }
-        let edges = edges_under(&now, &folded, options.levels);
+        if left as f64 <= ENOUGH * before as f64 {
+            around = failing.faces.clone();
+            continue;
+        }
+        // Either edge may be the wrong one; what a round in vain has tried the next one need not.
+        let edges = edges_under(&now, &failing.faces, options.levels, idle % 2 == 1);
         if now.base.mesh.n_vertices() + edges.len() > most_vertices {
-            return Ok(None);
+            break;
         }
-        let Some((next, new_vertices)) = bisected(surface, &now, &edges, options.levels)? else { return Ok(None) };
-        now = next;
-        let has_new = |f: &FaceId| now.topology.face(*f).into_iter().any(|v| new_vertices[v.index()]);
-        folded = now.topology.faces().ids().filter(has_new).collect();
+        let Some((next, new)) = bisected(surface, &now, &edges, options.levels)? else { break };
+        (now, around) = (next, new);
     }
-    Ok(None)
+    match failing {
+        Failing { faces, .. } if faces.is_empty() => Ok(now),
+        Failing { flipped, .. } if flipped > 0 => Err(Error::Folded { inverted: flipped, faces: now.relaxed.mesh.n_faces() }),
+        _ => Ok(start),
+    }
 }
 
-/// The triangles for which the certificate would refuse a mesh: those that face against the input, and those of next to no area.
-fn failing(input: &certify::Surface, mesh: &TriMesh) -> Vec<FaceId> {
-    let is_degenerate = |f: &FaceId| mesh_core::aspect_ratio(mesh.triangle(*f)) < DEGENERATE_ASPECT_RATIO;
-    let mut failing = certify::Surface::new(mesh).map_or_else(|_| Vec::new(), |mesh| flipped(input, &mesh));
-    failing.extend(mesh.faces().ids().filter(is_degenerate));
-    failing.sort_unstable();
-    failing.dedup();
-    failing
+/// The triangles for which the certificate would refuse a mesh.
+struct Failing {
+    /// Those that face against the input and those of next to no area, in rising order.
+    faces: Vec<FaceId>,
+    /// How many face against the input.
+    flipped: usize,
 }
 
-/// The domain with the base faces under some of its triangles bisected, and which of its vertices are new.
+impl Failing {
+    fn of(domain: &OnBase<'_>, input: &certify::Surface) -> Self {
+        let mesh = &domain.relaxed.mesh;
+        let is_degenerate = |f: &FaceId| mesh_core::aspect_ratio(mesh.triangle(*f)) < DEGENERATE_ASPECT_RATIO;
+        let flipped = certify::Surface::new(mesh).map_or_else(|_| Vec::new(), |mesh| flipped(input, &mesh));
+        let faces: BTreeSet<FaceId> = flipped.iter().copied().chain(mesh.faces().ids().filter(is_degenerate)).collect();
+        Self { faces: faces.into_iter().collect(), flipped: flipped.len() }
+    }
+}
+
+/// The domain with some edges of its base mesh bisected, and its faces at new vertices. `None` where one of these finds no place.
 fn bisected(
     surface: &Surface,
     now: &OnBase<'_>,
     edges: &[[VertexId; 2]],
     levels: u32,
-) -> Result<Option<(OnBase<'static>, Vec<bool>)>, Error> {
+) -> Result<Option<(OnBase<'static>, Vec<FaceId>)>, Error> {
     let n = now.base.mesh.n_vertices();
-    let base = basemesh::bisect(surface, now.base.clone().into_owned(), edges)?;
+    let mut base = basemesh::bisect(surface, now.base.clone().into_owned(), edges)?;
+    let BaseCounts { asked, made, .. } = base.counts;
+    if made > asked {
+        base.counts.reason = format!("asked {asked}, took {made}: with fewer a few triangles stay folded");
+    }
     let bisections: Vec<_> = edges.iter().enumerate().map(|(i, &[a, b])| [a, b, VertexId::new(n + i)]).collect();
     let domain = subdiv::subdivide(&base.mesh, &base.region, levels)?;
     let before = Faces { base: now.base.mesh.faces(), finest: now.relaxed.mesh.faces() };
@@ -94,25 +119,30 @@ fn bisected(
     let Some(map) = inherited(surface, &now.relaxed.map, &domain, &bisected) else { return Ok(None) };
     let topology = Topology::new(domain.mesh.faces(), domain.mesh.n_vertices())?;
     let n_before = now.relaxed.mesh.n_vertices() as u32;
-    let new_vertices = bisected.numbers.iter().map(|&number| number >= n_before).collect();
+    let is_new = |v: VertexId| bisected.numbers[v] >= n_before;
+    let new = topology.faces().ids().filter(|&f| topology.face(f).into_iter().any(is_new)).collect();
     let relaxed = Relaxed { mesh: domain.mesh, map, ..now.relaxed.clone() };
-    Ok(Some((OnBase { base: Cow::Owned(base), topology, relaxed }, new_vertices)))
+    Ok(Some((OnBase { base: Cow::Owned(base), topology, relaxed }, new)))
 }
 
-/// The longest edges of the base faces under some triangles, ends rising, as the base vertices are now.
-fn edges_under(now: &OnBase<'_>, folded: &[FaceId], levels: u32) -> Vec<[VertexId; 2]> {
+/// The longest edge of the base face under each of some triangles, ends rising, in order. With `at_tips`, for a triangle at a base vertex
+/// it is one that ends there: another one leaves more triangles in the same angle.
+fn edges_under(now: &OnBase<'_>, folded: &[FaceId], levels: u32, at_tips: bool) -> Vec<[VertexId; 2]> {
     // The children of base face f are 4f to 4f + 3, and so on from level to level. Base vertices come first at all levels.
-    let mut faces: Vec<FaceId> = folded.iter().map(|f| FaceId(f.0 >> (2 * levels))).collect();
-    faces.dedup();
-    let longest = |f: FaceId| {
+    let mut faces: BTreeMap<FaceId, Option<VertexId>> = BTreeMap::new();
+    for &f in folded {
+        let tip = now.topology.face(f).into_iter().find(|v| v.index() < now.base.mesh.n_vertices());
+        let known = faces.entry(FaceId(f.0 >> (2 * levels))).or_insert(tip);
+        *known = known.or(tip);
+    }
+    let longest = |(f, tip): (FaceId, Option<VertexId>)| {
         let [a, b, c] = now.base.mesh.faces()[f];
         let length = |&[a, b]: &[VertexId; 2]| now.relaxed.mesh.distance(a, b);
-        [[a, b], [b, c], [c, a]].into_iter().max_by(|e, g| length(e).total_cmp(&length(g)))
+        let edges = [[a, b], [b, c], [c, a]].into_iter().filter(|edge| !at_tips || tip.is_none_or(|tip| edge.contains(&tip)));
+        edges.max_by(|e, g| length(e).total_cmp(&length(g)))
     };
-    let mut edges: Vec<_> = faces.into_iter().filter_map(longest).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
+    let edges: BTreeSet<_> = faces.into_iter().filter_map(longest).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.into_iter().collect()
 }
 
 /// The map of a bisected domain: vertices that were there before stay, new ones are put in the middle of their edges. `None` where one

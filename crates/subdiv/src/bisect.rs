@@ -58,7 +58,7 @@ pub fn bisected(before: Faces<'_>, bisections: &[[VertexId; 3]], after: Faces<'_
         for (i, [from, to]) in sides.into_iter().zip([[a, b], [b, a]]).filter_map(|(i, edge)| Some((i?, edge))) {
             let patch = patches[i].from(from)?;
             let [first, second] = patch.halves(m, &mut middles);
-            (0..3).for_each(|k| drop(at_edge.remove(&[patch.corners[k], patch.corners[(k + 1) % 3]])));
+            sides_of(patch.corners).iter().for_each(|side| _ = at_edge.remove(side));
             debug_assert_eq!(patch.corners[1], to);
             add(&mut patches, &mut at_edge, first);
             add(&mut patches, &mut at_edge, second);
@@ -79,8 +79,12 @@ pub fn bisected(before: Faces<'_>, bisections: &[[VertexId; 3]], after: Faces<'_
 }
 
 fn add(patches: &mut Vec<Patch>, at_edge: &mut FxHashMap<[VertexId; 2], usize>, patch: Patch) {
-    (0..3).for_each(|k| drop(at_edge.insert([patch.corners[k], patch.corners[(k + 1) % 3]], patches.len())));
+    at_edge.extend(sides_of(patch.corners).map(|side| (side, patches.len())));
     patches.push(patch);
+}
+
+fn sides_of(corners: [VertexId; 3]) -> [[VertexId; 2]; 3] {
+    [0, 1, 2].map(|k| [corners[k], corners[(k + 1) % 3]])
 }
 
 /// The weights of a vertex of the finest level in its base face, times the number of segments of a side.
