@@ -43,6 +43,8 @@ pub struct Remeshed {
 pub const MAX_TRIANGLES: u64 = 50_000_000;
 /// A result with a greater share of folded triangles is not worth to be snapped. Snapping mended up to .032 (brick_small).
 const HOPELESS: f64 = 0.04;
+/// Of a result with more triangles than this, snapping is no hope: it took 15 to 45 s, and mended nothing (DamagedHelmet, crank_cse).
+const LARGE: usize = 50_000;
 /// A result with a greater share of folded triangles is not worth a fit and a certificate: neither mends any.
 const HOPELESS_AT_LAST: f64 = 1e-3;
 
@@ -106,6 +108,7 @@ pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSec
         Way::Given => as_it_is,
         _ => seconds.time("repair", || repaired(&surface, &cleaned.mesh, as_it_is, options))?,
     };
+    is_worth_more(&relaxed, if relaxed.mesh.n_faces() > LARGE { HOPELESS_AT_LAST } else { HOPELESS })?;
     let settled = seconds.time("snap", || settle(&surface, relaxed, &topology, &options.relax));
     is_worth_more(&settled.relaxed, HOPELESS_AT_LAST)?;
     let Settled { network, normals, relaxed, snapped, warning } = settled;

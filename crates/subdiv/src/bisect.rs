@@ -155,7 +155,7 @@ impl Patch {
         let ([a, b, c], n) = (self.corners, self.grid.n);
         // In halves of the patch's own weights.
         let mut at_halves = |p: usize, q: usize, r: usize| {
-            if p % 2 == 0 { self.grid.at([p / 2, q / 2, r]) } else { middles.between(&self.grid, [p / 2, q / 2, r]) }
+            if p.is_multiple_of(2) { self.grid.at([p / 2, q / 2, r]) } else { middles.between(&self.grid, [p / 2, q / 2, r]) }
         };
         let first = Grid::filled(n, |[i, j, k]| at_halves(2 * i + j, j, k));
         let second = Grid::filled(n, |[i, j, k]| at_halves(i, i + 2 * j, k));
