@@ -32,6 +32,7 @@
 //! ```
 
 mod assemble;
+mod bisect;
 mod build;
 mod chart;
 mod decimate;
@@ -53,6 +54,7 @@ mod star;
 mod tests;
 mod tutte;
 
+pub use bisect::bisect;
 pub use build::{BaseOptions, build};
 pub use decimate::decimate;
 pub use error::BaseError;

@@ -2,6 +2,7 @@
 
 use crate::editor::{Editor, Filling};
 use crate::shapes::Shape;
+use mesh_core::{FaceId, Id as _, VertexId};
 use proptest::prelude::*;
 use region_map::BaseMesh;
 
@@ -113,4 +114,21 @@ fn no_base_triangle_is_an_ear() {
     let surface = shape.surface();
     let editor = Editor::new(&surface, base).unwrap();
     assert!(editor.faces().into_iter().all(|f| !crate::shape::is_ear(&editor, f)));
+}
+
+#[test]
+fn bisections_keep_all_promises_and_places() {
+    for shape in [Shape::cube(), Shape::cylinder(), Shape::sphere(), Shape::torus()] {
+        let base = shape.base(40, 10);
+        let n = base.mesh.n_vertices();
+        let [a, b, c] = base.mesh.faces()[FaceId(0)];
+        // The second edge is a half of the first.
+        let edges = [[a, b], [a, VertexId::new(n)], [b, c]];
+        let bisected = crate::bisect(&shape.surface(), base.clone(), &edges).unwrap();
+        shape.check(&bisected);
+        assert_eq!((bisected.mesh.n_vertices(), bisected.counts.made), (n + 3, n + 3));
+        assert!(base.mesh.positions().enumerate().all(|(v, p)| bisected.mesh.position(v) == *p));
+        let gone = crate::bisect(&shape.surface(), base, &[[a, b], [a, b]]);
+        assert!(gone.is_err(), "an edge is bisected once");
+    }
 }

@@ -16,6 +16,12 @@ pub(crate) struct Domain<'a> {
     normals: IdVec<HalfedgeId, CornerNormal>,
     /// No vertex inside a sheet moves farther in a step.
     pub(crate) longest_move: f64,
+    /// The vertices that may move, in rising order; all others stay whatever their freedom.
+    pub(crate) free: Vec<VertexId>,
+    /// The place of a vertex in `free`.
+    pub(crate) slots: IdVec<VertexId, Option<u32>>,
+    /// The faces that can change, in order: those with a free vertex.
+    pub(crate) moving: Vec<FaceId>,
 }
 
 /// What a vertex is free to do.
@@ -84,7 +90,24 @@ impl<'a> Domain<'a> {
             }
         }
         let mean_edge = (surface.mesh.total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
-        Ok(Self { surface, topology, map, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
+        let free = freedoms.ids().collect();
+        let slots = freedoms.ids().map(|v| Some(v.0)).collect();
+        let moving = topology.faces().ids().collect();
+        let longest_move = LONGEST_MOVE * mean_edge;
+        Ok(Self { surface, topology, map, freedoms, normals, longest_move, free, slots, moving })
+    }
+
+    /// Frees some vertices and holds all others.
+    pub(crate) fn free_only(&mut self, free: Vec<VertexId>) {
+        self.free.iter().for_each(|&v| self.slots[v] = None);
+        free.iter().zip(0..).for_each(|(&v, slot)| self.slots[v] = Some(slot));
+        self.moving = self.fans(&free);
+        self.free = free;
+    }
+
+    /// True for a vertex that stays whatever its freedom.
+    pub(crate) fn is_held(&self, v: VertexId) -> bool {
+        self.slots[v].is_none()
     }
 
     /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of

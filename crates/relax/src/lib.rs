@@ -51,4 +51,4 @@ mod weights;
 pub use error::RelaxError;
 pub use options::{QuadricOptions, RelaxOptions, ShapeOptions, TargetArea, Weights};
 pub use quality::Quality;
-pub use relax::{RelaxReport, Relaxed, relax};
+pub use relax::{RelaxReport, Relaxed, relax, relax_around};

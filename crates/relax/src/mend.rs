@@ -23,15 +23,15 @@ const ROUNDS: usize = 20;
 const DIRECTIONS: usize = 12;
 const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
 
-/// Mends placements of one domain. The surface is indexed once, when first asked for.
+/// Mends placements of one domain. The surface is indexed when first asked for.
 pub(crate) struct Mender<'a> {
     domain: &'a Domain<'a>,
-    index: OnceCell<SurfaceIndex>,
+    index: &'a OnceCell<SurfaceIndex>,
 }
 
 impl<'a> Mender<'a> {
-    pub(crate) fn new(domain: &'a Domain<'a>) -> Self {
-        Self { domain, index: OnceCell::new() }
+    pub(crate) fn new(domain: &'a Domain<'a>, index: &'a OnceCell<SurfaceIndex>) -> Self {
+        Self { domain, index }
     }
 
     /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
@@ -40,13 +40,13 @@ impl<'a> Mender<'a> {
         // Where the normals at the corners tell of too many, the surface is not asked: it could only add to them. Otherwise it is, for
         // every triangle: one that bridges a slit may look sound.
         let folded = |f: &FaceId| signed_quality(self.domain, placement, *f) < SOUND;
-        if self.domain.faces().into_par_iter().filter(folded).count() as f64 > most {
+        if self.domain.moving.par_iter().filter(|f| folded(f)).count() as f64 > most {
             return;
         }
         let mesh = self.domain.surface.mesh;
         let sight =
             Sight { domain: self.domain, index: self.index.get_or_init(|| SurfaceIndex::new(mesh)), diagonal: mesh.diagonal() };
-        let mut folds = sight.folds(placement, self.domain.faces());
+        let mut folds = sight.folds(placement, self.domain.moving.clone());
         for _ in 0..ROUNDS {
             if folds.is_empty() || folds.len() as f64 > most {
                 return;
@@ -83,7 +83,7 @@ impl Sight<'_> {
 
     /// Moves a vertex to the best place that it finds; false where it stays.
     fn improve(&self, placement: &mut Placement, v: VertexId) -> bool {
-        if matches!(self.domain.freedoms[v], Freedom::Fixed) {
+        if self.domain.is_held(v) || matches!(self.domain.freedoms[v], Freedom::Fixed) {
             return false;
         }
         let start = placement[v];

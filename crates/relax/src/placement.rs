@@ -35,20 +35,20 @@ impl std::ops::Index<VertexId> for Placement {
 impl Placement {
     /// Where the region map has the vertices.
     pub(crate) fn of_map(domain: &Domain) -> Self {
-        Self::each(domain, |v| match (domain.freedoms[v], domain.map.attachments[v]) {
+        let spot = |v: VertexId| match (domain.freedoms[v], domain.map.attachments[v]) {
             (Freedom::Rail(rail), Attachment::Arc { t, .. }) => domain.spot_on_arc(&rail, t),
             _ => domain.spot_on_sheet(domain.map.points[v]),
-        })
+        };
+        let vertices = domain.freedoms.ids().collect::<Vec<_>>();
+        Self(IdVec::from_vec(vertices.into_par_iter().map(spot).collect()))
     }
 
     /// All vertices displaced at once.
     pub(crate) fn displaced(&self, domain: &Domain, displacement: impl Fn(VertexId) -> DVec3 + Sync) -> Self {
-        Self::each(domain, |v| domain.displaced(self, v, displacement(v)))
-    }
-
-    fn each(domain: &Domain, spot: impl Fn(VertexId) -> Spot + Sync) -> Self {
-        let vertices = domain.freedoms.ids().collect::<Vec<_>>();
-        Self(IdVec::from_vec(vertices.into_par_iter().map(&spot).collect()))
+        let spots: Vec<Spot> = domain.free.par_iter().map(|&v| domain.displaced(self, v, displacement(v))).collect();
+        let mut displaced = self.clone();
+        domain.free.iter().zip(spots).for_each(|(&v, spot)| displaced.0[v] = spot);
+        displaced
     }
 
     /// Puts one vertex elsewhere.
@@ -71,18 +71,14 @@ impl Placement {
         mesh_core::vector_area(self.triangle(domain, f)).dot(self.reference_normal(domain, f))
     }
 
-    /// Signed areas of all faces.
-    pub(crate) fn signed_areas(&self, domain: &Domain) -> IdVec<FaceId, f64> {
-        IdVec::from_vec(domain.faces().into_par_iter().map(|f| self.signed_area(domain, f)).collect())
-    }
-
     /// Brings back the vertices of all faces for which `is_bad` holds here, then those of faces that this makes bad, until none
     /// is left. A face whose three vertices are back where they were in `before` must not be bad.
     pub(crate) fn take_back(&mut self, domain: &Domain, before: &Self, is_bad: impl Fn(&Self, FaceId) -> bool + Sync) {
-        let mut suspects = domain.faces();
+        let mut suspects = domain.moving.clone();
         while !suspects.is_empty() {
             let bad: Vec<FaceId> = suspects.into_par_iter().filter(|&f| is_bad(self, f)).collect();
-            let mut vertices: Vec<VertexId> = bad.into_iter().flat_map(|f| domain.topology.face(f)).collect();
+            let corners = bad.into_iter().flat_map(|f| domain.topology.face(f));
+            let mut vertices: Vec<VertexId> = corners.filter(|&v| !domain.is_held(v)).collect();
             vertices.sort_unstable();
             vertices.dedup();
             for &v in &vertices {
@@ -124,11 +120,6 @@ impl Placement {
 }
 
 impl Domain<'_> {
-    /// All faces, in order.
-    pub(crate) fn faces(&self) -> Vec<FaceId> {
-        self.topology.faces().ids().collect()
-    }
-
     /// The faces around some vertices, in order.
     pub(crate) fn fans(&self, vertices: &[VertexId]) -> Vec<FaceId> {
         let mut faces: Vec<FaceId> = vertices.iter().flat_map(|&v| self.topology.fan(v).map(HalfedgeId::face)).collect();
@@ -162,7 +153,7 @@ impl Domain<'_> {
     /// The place of `v` after a displacement, as far as arcs and neighbours on them let it.
     pub(crate) fn displaced(&self, placement: &Placement, v: VertexId, displacement: DVec3) -> Spot {
         let spot = placement[v];
-        if displacement == DVec3::ZERO {
+        if displacement == DVec3::ZERO || self.is_held(v) {
             return spot;
         }
         match &self.freedoms[v] {

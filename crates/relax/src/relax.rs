@@ -6,11 +6,15 @@ use crate::placement::Placement;
 use crate::quadric::relax_quadric;
 use crate::shape::optimise_shape;
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
-use mesh_core::{Topology, TriMesh};
+use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, Topology, TriMesh, VertexId};
 use region_map::{RegionMap, Surface};
+use std::cell::OnceCell;
+use std::collections::BTreeSet;
 
 /// Mean quality that the shape optimisation may give up: where the start is good, it is the worst triangles that it lifts.
 const SLACK: f64 = 2e-3;
+/// The same round a fold: there the worst triangle is all that counts.
+const LOCAL_SLACK: f64 = 0.1;
 
 /// A relaxed domain.
 #[derive(Clone, Debug)]
@@ -19,6 +23,8 @@ pub struct Relaxed {
     pub mesh: TriMesh,
     /// The map with new points, arc lengths and spans.
     pub map: RegionMap,
+    /// The triangles that still face against the surface or have no area, in rising order.
+    pub inverted: Vec<FaceId>,
     /// What was reached.
     pub report: RelaxReport,
 }
@@ -61,28 +67,103 @@ pub fn relax(
 
     let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
-    let mender = Mender::new(&domain);
-    let (mut best, mut shape_steps) = shaped_and_mended(&domain, &mender, &relaxed, &options.shape)?;
-    let mut end = Quality::of(&best, &domain);
+    let (best, end, shape_steps) = best_shape(&domain, &OnceCell::new(), (relaxed, after_quadric), SLACK, &options.shape)?;
+    let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
+    finished(&domain, mesh, best, report)
+}
+
+/// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they are.
+///
+/// For the last folds of a relaxed domain: each place is relaxed by itself, as if there were no others. Otherwise as [`relax`], without
+/// the paper's relaxation.
+pub fn relax_around(
+    surface: &Surface,
+    domain: &TriMesh,
+    topology: &Topology,
+    map: &RegionMap,
+    (faces, edges): (&[FaceId], usize),
+    options: &ShapeOptions,
+) -> Result<Relaxed, RelaxError> {
+    let mesh = domain;
+    let mut domain = Domain::new(surface, topology, map)?;
+    let all: Vec<VertexId> = domain.free.clone();
+    let mut placement = Placement::of_map(&domain);
+    let start = Quality::of(&placement, &domain);
+    let (index, mut shape_steps) = (OnceCell::new(), 0);
+    for place in places(topology, faces) {
+        domain.free_only(within(topology, &place, edges));
+        let before = Quality::of(&placement, &domain);
+        let (best, _, steps) = best_shape(&domain, &index, (placement, before), LOCAL_SLACK, options)?;
+        placement = best;
+        shape_steps += steps;
+    }
+    domain.free_only(all);
+    let end = Quality::of(&placement, &domain);
+    finished(&domain, mesh, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
+}
+
+/// Some faces, sorted into places that have no vertex in common.
+fn places(topology: &Topology, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
+    let mut left: BTreeSet<FaceId> = faces.iter().copied().collect();
+    let mut places = Vec::new();
+    while let Some(first) = left.pop_first() {
+        let mut place = vec![first];
+        let mut next = 0;
+        while let Some(&f) = place.get(next) {
+            let around = topology.face(f).into_iter().flat_map(|v| topology.fan(v)).map(HalfedgeId::face);
+            place.extend(around.filter(|g| left.remove(g)));
+            next += 1;
+        }
+        places.push(place);
+    }
+    places
+}
+
+/// The vertices at most so many edges away from some faces, in rising order.
+fn within(topology: &Topology, faces: &[FaceId], edges: usize) -> Vec<VertexId> {
+    let mut reached: BTreeSet<VertexId> = faces.iter().flat_map(|&f| topology.face(f)).collect();
+    let mut last: Vec<VertexId> = reached.iter().copied().collect();
+    for _ in 0..edges {
+        last = last.into_iter().flat_map(|v| topology.one_ring(v)).filter(|&w| reached.insert(w)).collect();
+    }
+    reached.into_iter().collect()
+}
+
+/// The start with optimised shapes, or itself where it was better; its quality, and the number of Newton steps.
+fn best_shape(
+    domain: &Domain,
+    index: &OnceCell<SurfaceIndex>,
+    (start, start_quality): (Placement, Quality),
+    slack: f64,
+    options: &ShapeOptions,
+) -> Result<(Placement, Quality, usize), RelaxError> {
+    let mender = Mender::new(domain, index);
+    let (mut best, mut shape_steps) = shaped_and_mended(domain, &mender, &start, options)?;
+    let mut end = Quality::of(&best, domain);
     if end.inverted > 0 {
         // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
-        let smooth_only = ShapeOptions { untangling_steps: 0, ..options.shape.clone() };
-        let mut mended = relaxed.clone();
+        let smooth_only = ShapeOptions { untangling_steps: 0, ..options.clone() };
+        let mut mended = start.clone();
         mender.mend_folds(&mut mended);
-        let (other, steps) = shaped_and_mended(&domain, &mender, &mended, &smooth_only)?;
-        let quality = Quality::of(&other, &domain);
+        let (other, steps) = shaped_and_mended(domain, &mender, &mended, &smooth_only)?;
+        let quality = Quality::of(&other, domain);
         shape_steps += steps;
         if quality.is_better_than(&end) {
             (best, end) = (other, quality);
         }
     }
-    let end_at_least = Quality { ar_mean: end.ar_mean + SLACK, ..end };
-    if after_quadric.is_better_than(&end_at_least) {
-        (best, end) = (relaxed, after_quadric);
+    let end_at_least = Quality { ar_mean: end.ar_mean + slack, ..end };
+    if start_quality.is_better_than(&end_at_least) {
+        (best, end) = (start, start_quality);
     }
-    let (mesh, map) = best.into_domain(&domain, mesh)?;
-    let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
-    Ok(Relaxed { mesh, map, report })
+    Ok((best, end, shape_steps))
+}
+
+fn finished(domain: &Domain, mesh: &TriMesh, best: Placement, report: RelaxReport) -> Result<Relaxed, RelaxError> {
+    let upright = |f: &FaceId| best.signed_area(domain, *f) > 0.0;
+    let inverted = domain.topology.faces().ids().filter(|f| !upright(f)).collect();
+    let (mesh, map) = best.into_domain(domain, mesh)?;
+    Ok(Relaxed { mesh, map, inverted, report })
 }
 
 /// Shape optimisation, and then the mending of what it left folded. Returns the number of Newton steps, too.

@@ -53,12 +53,13 @@ pub(crate) fn optimise_shape(
 
 struct Optimiser<'a> {
     domain: &'a Domain<'a>,
-    faces: Vec<FaceId>,
+    /// The faces that can change, in rising order.
+    faces: &'a [FaceId],
     pattern: Pattern,
     targets: IdVec<FaceId, f64>,
     metric: Metric,
-    /// Regularisation of every face, an area.
-    eps: IdVec<FaceId, f64>,
+    /// Regularisation of each of these faces, an area.
+    eps: Vec<f64>,
     placement: Placement,
 }
 
@@ -73,17 +74,19 @@ struct Step {
 
 impl<'a> Optimiser<'a> {
     fn new(domain: &'a Domain<'a>, placement: Placement, options: &ShapeOptions) -> Result<Self, RelaxError> {
-        let faces = domain.faces();
+        let faces = &domain.moving;
+        let n_faces = domain.topology.n_faces();
         let targets = match &options.target {
             TargetArea::SheetMean => sheet_means(domain, &placement),
-            TargetArea::PerFace(areas) if areas.len() == faces.len() && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
+            TargetArea::PerFace(areas) if areas.len() == n_faces && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
                 areas.clone()
             }
-            TargetArea::PerFace(_) => return Err(RelaxError::TargetArea { faces: faces.len() }),
+            TargetArea::PerFace(_) => return Err(RelaxError::TargetArea { faces: n_faces }),
         };
         let metric = Metric { power: 1.0, size_weight: options.size_weight.max(0.0) };
-        let eps = IdVec::filled(0.0, faces.len());
-        Ok(Self { domain, pattern: Pattern::new(domain.topology), faces, targets, metric, eps, placement })
+        let eps = vec![0.0; faces.len()];
+        let pattern = Pattern::new(domain.topology, &domain.free, &domain.slots, faces);
+        Ok(Self { domain, pattern, faces, targets, metric, eps, placement })
     }
 
     /// Steps on the regularised energy until no triangle is inverted or nearly so. Returns their number.
@@ -91,8 +94,8 @@ impl<'a> Optimiser<'a> {
         let scales = local_areas(self.domain, &self.placement);
         let (mut steps, mut upright_steps, mut idle) = (0, 0, 0);
         while steps < options.untangling_steps && upright_steps < SOUNDING_STEPS && idle < MOST_IDLE {
-            let areas = self.placement.signed_areas(self.domain);
-            let worst = self.faces.iter().map(|&f| areas[f] / scales[f]).fold(f64::INFINITY, f64::min);
+            let areas = self.signed_areas();
+            let worst = areas.iter().zip(&scales).map(|(area, scale)| area / scale).fold(f64::INFINITY, f64::min);
             if worst >= SOUND_AREA {
                 break;
             }
@@ -106,9 +109,9 @@ impl<'a> Optimiser<'a> {
             upright_steps += usize::from(upright);
         }
         // What is still inverted stays regularised, so that all others can go on.
-        let areas = self.placement.signed_areas(self.domain);
-        let inverted_eps = |f: FaceId| if areas[f] > 0.0 { 0.0 } else { REGULARISATION * SOUND_AREA * scales[f] };
-        self.eps = self.faces.iter().map(|&f| inverted_eps(f)).collect();
+        let areas = self.signed_areas();
+        let inverted_eps = |(area, scale): (f64, &f64)| if area > 0.0 { 0.0 } else { REGULARISATION * SOUND_AREA * scale };
+        self.eps = areas.into_iter().zip(&scales).map(inverted_eps).collect();
         steps
     }
 
@@ -134,14 +137,15 @@ impl<'a> Optimiser<'a> {
     fn step(&self, hold: bool, present: &[f64]) -> Option<Step> {
         let before = present.iter().sum();
         let frames = self.frames();
-        let system = System::assemble(&self.pattern, self.domain.topology, &self.elements(&frames));
+        let system = System::assemble(&self.pattern, (0..self.faces.len()).map(|i| self.unknowns(i)), &self.elements(&frames));
         let solution = system.solve(SOLVER_TOLERANCE, SOLVER_STEPS);
         // No vertex' way is cut short by itself: where a whole region slides, that would squeeze it (measured on the rabbit: .930
         // after 30 steps instead of .979).
         let mut share = 1.0;
         for _ in 0..=HALVINGS {
             let way = |v: VertexId| {
-                let ([x, y], d) = (frames[v], share * solution[v.index()]);
+                let Some(slot) = self.domain.slots[v].map(|slot| slot as usize) else { return DVec3::ZERO };
+                let ([x, y], d) = (frames[slot], share * solution[slot]);
                 d.x * x + d.y * y
             };
             let mut placement = self.placement.displaced(self.domain, way);
@@ -165,29 +169,39 @@ impl<'a> Optimiser<'a> {
             return (wild, wild_energies);
         }
         let mut tamed = wild.clone();
-        let grew = |trial: &Placement, f: FaceId| self.triangle(trial, f).energy(&self.metric) > MOST_GROWTH * before[f.index()];
+        let grew = |trial: &Placement, f: FaceId| {
+            let i = self.faces.partition_point(|&g| g < f);
+            self.triangle(trial, i).energy(&self.metric) > MOST_GROWTH * before[i]
+        };
         tamed.take_back(self.domain, &self.placement, grew);
         let tamed_energies = self.energies(&tamed);
         let is_better = tamed_energies.iter().sum::<f64>() < wild_energies.iter().sum();
         if is_better { (tamed, tamed_energies) } else { (wild, wild_energies) }
     }
 
-    fn triangle(&self, placement: &Placement, f: FaceId) -> Triangle {
+    /// The triangle of one of the faces, by its place among them.
+    fn triangle(&self, placement: &Placement, i: usize) -> Triangle {
+        let f = self.faces[i];
         Triangle {
             corners: placement.triangle(self.domain, f),
             normal: placement.reference_normal(self.domain, f),
             target: self.targets[f],
-            eps: self.eps[f],
+            eps: self.eps[i],
         }
     }
 
-    /// The energies of all triangles.
+    /// The energies of all faces.
     fn energies(&self, placement: &Placement) -> Vec<f64> {
-        self.faces.par_iter().map(|&f| self.triangle(placement, f).energy(&self.metric)).collect()
+        (0..self.faces.len()).into_par_iter().map(|i| self.triangle(placement, i).energy(&self.metric)).collect()
     }
 
-    /// The directions that each vertex can move in: two, one and 0, or both 0.
-    fn frames(&self) -> IdVec<VertexId, [DVec3; 2]> {
+    /// The signed areas of all faces.
+    fn signed_areas(&self) -> Vec<f64> {
+        self.faces.par_iter().map(|&f| self.placement.signed_area(self.domain, f)).collect()
+    }
+
+    /// The directions that each free vertex can move in: two, one and 0, or both 0.
+    fn frames(&self) -> Vec<[DVec3; 2]> {
         let frame = |v: VertexId| {
             let spot = &self.placement[v];
             match &self.domain.freedoms[v] {
@@ -199,17 +213,21 @@ impl<'a> Optimiser<'a> {
                 },
             }
         };
-        let vertices: Vec<VertexId> = self.domain.freedoms.ids().collect();
-        IdVec::from_vec(vertices.into_par_iter().map(frame).collect())
+        self.domain.free.par_iter().map(|&v| frame(v)).collect()
     }
 
     /// What each triangle adds to the system.
-    fn elements(&self, frames: &IdVec<VertexId, [DVec3; 2]>) -> Vec<Element> {
-        let element = |&f: &FaceId| {
-            let frames = self.domain.topology.face(f).map(|v| frames[v]);
-            element(&self.triangle(&self.placement, f), &self.metric, &frames)
+    fn elements(&self, frames: &[[DVec3; 2]]) -> Vec<Element> {
+        let element = |i: usize| {
+            let frames = self.unknowns(i).map(|slot| slot.map_or([DVec3::ZERO; 2], |slot| frames[slot as usize]));
+            element(&self.triangle(&self.placement, i), &self.metric, &frames)
         };
-        self.faces.par_iter().map(element).collect()
+        (0..self.faces.len()).into_par_iter().map(element).collect()
+    }
+
+    /// The places of the corners of a face among the free vertices.
+    fn unknowns(&self, i: usize) -> [Option<u32>; 3] {
+        self.domain.topology.face(self.faces[i]).map(|v| self.domain.slots[v])
     }
 }
 
@@ -248,12 +266,12 @@ fn sheet_means(domain: &Domain, placement: &Placement) -> IdVec<FaceId, f64> {
     domain.topology.faces().ids().map(|f| sums[sheet(f)]).map(|(sum, n)| sum / n as f64).collect()
 }
 
-/// For every face the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.
-fn local_areas(domain: &Domain, placement: &Placement) -> IdVec<FaceId, f64> {
+/// For every face that can change the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.
+fn local_areas(domain: &Domain, placement: &Placement) -> Vec<f64> {
     let around = |f: FaceId| domain.topology.face(f).into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face);
-    let mean = |f: FaceId| {
+    let mean = |&f: &FaceId| {
         let (sum, n) = around(f).fold((0.0, 0), |(sum, n), g| (sum + mesh_core::area(placement.triangle(domain, g)), n + 1));
         sum / f64::from(n)
     };
-    domain.topology.faces().ids().map(mean).collect()
+    domain.moving.iter().map(mean).collect()
 }

@@ -3,9 +3,9 @@
 mod common;
 
 use common::{Bed, OCTAHEDRON, bytes, cube, frustum, icosahedron, octahedron, on_sphere, torus};
-use mesh_core::{FaceId, IdVec, VertexId};
+use mesh_core::{FaceId, IdVec, VertexId, walk};
 use region_map::{Attachment, SheetId};
-use relax::{QuadricOptions, RelaxError, RelaxOptions, Relaxed, ShapeOptions, TargetArea, Weights};
+use relax::{QuadricOptions, RelaxError, RelaxOptions, Relaxed, ShapeOptions, TargetArea, Weights, relax_around};
 
 fn icosphere(levels: usize) -> Bed {
     let (positions, faces) = icosahedron();
@@ -197,4 +197,34 @@ fn a_domain_of_corners_alone_stays() {
     assert_eq!(relaxed.map.attachments[VertexId(0)], bed.map.attachments[VertexId(0)]);
     assert_eq!(relaxed.map.sheet_of_face[FaceId(0)], bed.map.sheet_of_face[FaceId(0)]);
     assert!(bed.network.n_sheets == 6 && relaxed.map.sheet_of_face.iter().all(|s| *s < SheetId(6)));
+}
+
+/// Two places are folded; both come free, and nothing else moves.
+#[test]
+fn folds_are_relaxed_in_their_place() {
+    for (name, bed) in beds() {
+        let calm = bed.relax(&RelaxOptions::default());
+        let inner = |v: &VertexId| matches!(calm.map.attachments[*v], Attachment::Sheet(_));
+        let (first, last) = (calm.map.vertices().find(inner).unwrap(), calm.map.vertices().filter(inner).last().unwrap());
+        let mut map = calm.map.clone();
+        for v in [first, last] {
+            // Onto a neighbour, and beyond.
+            let w = bed.domain_topology.one_ring(v).next().unwrap();
+            let way = 1.3 * (calm.mesh.position(w) - calm.mesh.position(v));
+            map.points[v] = walk(&bed.mesh, &bed.topology, map.points[v], way, |e| !bed.network.is_barrier(e)).end;
+        }
+        let faces: Vec<FaceId> = [first, last].iter().flat_map(|&v| bed.domain_topology.fan(v)).map(|h| h.face()).collect();
+        let edges = 2;
+        let relaxed =
+            relax_around(&bed.surface(), &calm.mesh, &bed.domain_topology, &map, (&faces, edges), &ShapeOptions::default())
+                .unwrap();
+        assert!(relaxed.report.start.inverted > 0, "{name}");
+        assert_eq!((relaxed.report.end.inverted, relaxed.inverted.len()), (0, 0), "{name}: {:?}", relaxed.report);
+        let mut near: std::collections::BTreeSet<VertexId> = faces.iter().flat_map(|&f| bed.domain_topology.face(f)).collect();
+        for _ in 0..edges {
+            near = near.iter().flat_map(|&v| bed.domain_topology.one_ring(v).chain([v])).collect();
+        }
+        let far = |v: &VertexId| !near.contains(v);
+        assert!(calm.map.vertices().filter(far).all(|v| relaxed.map.points[v] == calm.map.points[v]), "{name}");
+    }
 }

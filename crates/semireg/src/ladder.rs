@@ -59,6 +59,10 @@ struct Climb {
 pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
     let (mut climb, mut needed) = (Climb::default(), 0);
     'rungs: for rung in &LADDER {
+        // The base meshes of large models take long, too.
+        if climb.triangles > MOST_FAILED {
+            break;
+        }
         let candidates = match base_stages(input, options, rung, needed, seconds) {
             Ok(candidates) => candidates,
             Err(e) => {
@@ -72,7 +76,7 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
             }
             needed = needed.max(stages.base.counts.needed);
             climb.triangles += finest_triangles(&stages, options.levels)?;
-            match run(stages, options, seconds) {
+            match run(&stages, options, seconds) {
                 Ok(remeshed) => {
                     if climb.pass(input, options, rung, remeshed) {
                         break 'rungs;

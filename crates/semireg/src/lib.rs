@@ -24,6 +24,7 @@ mod options;
 mod patches;
 mod pipeline;
 mod rating;
+mod repair;
 mod report;
 mod snapping;
 mod with_base;

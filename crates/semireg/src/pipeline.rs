@@ -1,13 +1,15 @@
 //! The stages in order.
 
-use crate::base_stages::BaseStages;
+use crate::base_stages::{BaseStages, Way};
 use crate::fitting::fit_and_certify;
 use crate::input::Input;
 use crate::ladder::{climb, climb_to_base};
+use crate::repair::{OnBase, repaired};
 use crate::snapping::{Settled, settle};
 use crate::{Error, Options, Report, StageSeconds};
 use mesh_core::{IdVec, Soup, Topology, TriMesh, VertexId};
 use region_map::{Network, RegionMap, Surface};
+use std::borrow::Cow;
 
 /// What the stages from the base mesh on made.
 #[derive(Clone, Debug)]
@@ -41,6 +43,8 @@ pub struct Remeshed {
 pub const MAX_TRIANGLES: u64 = 50_000_000;
 /// A result with a greater share of folded triangles is not worth to be snapped. Snapping mended up to .032 (brick_small).
 const HOPELESS: f64 = 0.04;
+/// Of a result with more triangles than this, snapping is no hope: it took 15 to 45 s, and mended nothing (DamagedHelmet, crank_cse).
+const LARGE: usize = 50_000;
 /// A result with a greater share of folded triangles is not worth a fit and a certificate: neither mends any.
 const HOPELESS_AT_LAST: f64 = 1e-3;
 
@@ -86,8 +90,8 @@ pub(crate) fn finest_triangles(stages: &BaseStages, levels: u32) -> Result<u64, 
 }
 
 /// The stages after the base mesh.
-pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
-    let BaseStages { cleaned, working, network, normals, base, .. } = &stages;
+pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSeconds) -> Result<Remeshed, Error> {
+    let BaseStages { cleaned, working, network, normals, base, .. } = stages;
     let surface = Surface { mesh: &working.mesh, topology: &working.topology, network, normals };
     let domain = seconds.time("subdivide", || subdiv::subdivide(&base.mesh, &base.region, options.levels))?;
     // A base mesh from elsewhere may have no map.
@@ -98,6 +102,13 @@ pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeco
     let relaxed =
         seconds.time("relax", || relax::relax(&surface, &projected.mesh, &topology, &projected.region, &options.relax))?;
     is_worth_more(&relaxed, HOPELESS)?;
+    let as_it_is = OnBase { base: Cow::Borrowed(base), topology, relaxed };
+    let OnBase { base, topology, relaxed } = match stages.way {
+        // A base mesh from elsewhere stays as it is.
+        Way::Given => as_it_is,
+        _ => seconds.time("repair", || repaired(&surface, &cleaned.mesh, as_it_is, options))?,
+    };
+    is_worth_more(&relaxed, if relaxed.mesh.n_faces() > LARGE { HOPELESS_AT_LAST } else { HOPELESS })?;
     let settled = seconds.time("snap", || settle(&surface, relaxed, &topology, &options.relax));
     is_worth_more(&settled.relaxed, HOPELESS_AT_LAST)?;
     let Settled { network, normals, relaxed, snapped, warning } = settled;
@@ -123,13 +134,13 @@ pub(crate) fn run(stages: BaseStages, options: &Options, seconds: &mut StageSeco
         network: surface.network.clone(),
         region: certified.map,
         offsets: certified.offsets,
-        base: stages,
+        base: BaseStages { base: base.into_owned(), ..stages.clone() },
     };
     Ok(Remeshed { mesh: certified.mesh, report, stages })
 }
 
 /// Fails where more than a share of the triangles is folded.
 fn is_worth_more(relaxed: &relax::Relaxed, most_folded: f64) -> Result<(), Error> {
-    let (inverted, faces) = (relaxed.report.end.inverted, relaxed.mesh.n_faces());
+    let (inverted, faces) = (relaxed.inverted.len(), relaxed.mesh.n_faces());
     if inverted as f64 > most_folded * faces as f64 { Err(Error::Folded { inverted, faces }) } else { Ok(()) }
 }

@@ -23,7 +23,7 @@ pub fn remesh_with_base(soup: &Soup, base: &Soup, options: &Options) -> Result<R
     let input = Input::new(soup, &mut options, &mut seconds)?;
     let (stages, untraced) = stages(&input, &base, &options, &mut warnings, &mut seconds)?;
     finest_triangles(&stages, options.levels)?;
-    let mut remeshed = run(stages, &options, &mut seconds).map_err(|e| match e {
+    let mut remeshed = run(&stages, &options, &mut seconds).map_err(|e| match e {
         Error::NotCertified(failure) => {
             Error::BaseNotCertified { failure, untraced: untraced.map(|u| format!(" (placed by rays: {u})")).unwrap_or_default() }
         }

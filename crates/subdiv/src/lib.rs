@@ -22,6 +22,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bisect;
 mod subdivide;
 
+pub use bisect::{Bisected, Faces, Middle, bisected};
 pub use subdivide::{SubdivDomain, SubdivError, subdivide};

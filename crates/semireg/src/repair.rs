@@ -1,0 +1,193 @@
+//! The last folds: relaxed once more on their own, and on a base mesh with a few more vertices under them.
+
+use crate::{Error, Options};
+use certify::{DEGENERATE_ASPECT_RATIO, flipped};
+use mesh_core::{FaceId, Id as _, Topology, TriMesh, VertexId, walk};
+use region_map::{ArcSpan, Attachment, BaseCounts, BaseMesh, RegionMap, Surface};
+use relax::{Relaxed, relax_around};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+use subdiv::{Bisected, Faces, SubdivDomain};
+
+/// Rounds at most. Most places come free in one or two, without a new vertex.
+const ROUNDS: usize = 12;
+/// So many rounds in a row without fewer failing triangles than ever before end them.
+const MOST_IDLE: usize = 3;
+/// Where a round leaves at most this share of the failing triangles, the next one goes on without bisections.
+const ENOUGH: f64 = 0.5;
+/// Where a greater share of the triangles fails the base mesh is wrong, not a few of its faces.
+const MOST_FAILING: f64 = 2e-3;
+/// The base mesh grows by this share at most, and by [`LEAST_GROWTH`] vertices if that is more.
+const MOST_GROWTH: f64 = 0.03;
+const LEAST_GROWTH: usize = 8;
+
+/// A relaxed domain with its base mesh.
+#[derive(Clone)]
+pub(crate) struct OnBase<'a> {
+    pub(crate) base: Cow<'a, BaseMesh>,
+    pub(crate) topology: Topology,
+    pub(crate) relaxed: Relaxed,
+}
+
+/// Mends a relaxed domain with a few triangles that the certificate would refuse. Vertices far from them stay where they are. The domain
+/// as it was where there are none, or so many that the base mesh is wrong. Fails where some are left that face against the input.
+///
+/// First the triangles around are relaxed by themselves: among hundreds of thousands a few have little say. Then the base faces under the
+/// folds are bisected. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so the relaxed places are
+/// the start of the next round.
+pub(crate) fn repaired<'a>(
+    surface: &Surface,
+    cleaned: &TriMesh,
+    start: OnBase<'a>,
+    options: &Options,
+) -> Result<OnBase<'a>, Error> {
+    let Ok(input) = certify::Surface::new(cleaned) else { return Ok(start) };
+    let mut failing = Failing::of(&start, &input);
+    if failing.faces.is_empty() || failing.faces.len() as f64 > MOST_FAILING * start.relaxed.mesh.n_faces() as f64 {
+        return Ok(start);
+    }
+    let n = start.base.mesh.n_vertices();
+    let most_vertices = n + LEAST_GROWTH.max((MOST_GROWTH * n as f64) as usize);
+    let (mut now, mut around, mut least, mut idle) = (start.clone(), failing.faces.clone(), usize::MAX, 0);
+    for _ in 0..ROUNDS {
+        let before = failing.faces.len();
+        let OnBase { topology, relaxed, .. } = &now;
+        let places = (around.as_slice(), 1 << options.levels);
+        now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, places, &options.relax.shape)?;
+        failing = Failing::of(&now, &input);
+        let left = failing.faces.len();
+        idle = if left < least { 0 } else { idle + 1 };
+        least = least.min(left);
+        if left == 0 || idle == MOST_IDLE {
+            break;
+        }
+        if left as f64 <= ENOUGH * before as f64 {
+            around = failing.faces.clone();
+            continue;
+        }
+        // Either edge may be the wrong one; what a round in vain has tried the next one need not.
+        let edges = edges_under(&now, &failing.faces, options.levels, idle % 2 == 1);
+        if now.base.mesh.n_vertices() + edges.len() > most_vertices {
+            break;
+        }
+        let Some((next, new)) = bisected(surface, &now, &edges, options.levels)? else { break };
+        (now, around) = (next, new);
+    }
+    match failing {
+        Failing { faces, .. } if faces.is_empty() => Ok(now),
+        Failing { flipped, .. } if flipped > 0 => Err(Error::Folded { inverted: flipped, faces: now.relaxed.mesh.n_faces() }),
+        _ => Ok(start),
+    }
+}
+
+/// The triangles for which the certificate would refuse a mesh.
+struct Failing {
+    /// Those that face against the input and those of next to no area, in rising order.
+    faces: Vec<FaceId>,
+    /// How many face against the input.
+    flipped: usize,
+}
+
+impl Failing {
+    fn of(domain: &OnBase<'_>, input: &certify::Surface) -> Self {
+        let mesh = &domain.relaxed.mesh;
+        let is_degenerate = |f: &FaceId| mesh_core::aspect_ratio(mesh.triangle(*f)) < DEGENERATE_ASPECT_RATIO;
+        let flipped = certify::Surface::new(mesh).map_or_else(|_| Vec::new(), |mesh| flipped(input, &mesh));
+        let faces: BTreeSet<FaceId> = flipped.iter().copied().chain(mesh.faces().ids().filter(is_degenerate)).collect();
+        Self { faces: faces.into_iter().collect(), flipped: flipped.len() }
+    }
+}
+
+/// The domain with some edges of its base mesh bisected, and its faces at new vertices. `None` where one of these finds no place.
+fn bisected(
+    surface: &Surface,
+    now: &OnBase<'_>,
+    edges: &[[VertexId; 2]],
+    levels: u32,
+) -> Result<Option<(OnBase<'static>, Vec<FaceId>)>, Error> {
+    let n = now.base.mesh.n_vertices();
+    let mut base = basemesh::bisect(surface, now.base.clone().into_owned(), edges)?;
+    let BaseCounts { asked, made, .. } = base.counts;
+    if made > asked {
+        base.counts.reason = format!("asked {asked}, took {made}: with fewer a few triangles stay folded");
+    }
+    let bisections: Vec<_> = edges.iter().enumerate().map(|(i, &[a, b])| [a, b, VertexId::new(n + i)]).collect();
+    let domain = subdiv::subdivide(&base.mesh, &base.region, levels)?;
+    let before = Faces { base: now.base.mesh.faces(), finest: now.relaxed.mesh.faces() };
+    let after = Faces { base: base.mesh.faces(), finest: domain.mesh.faces() };
+    let Some(bisected) = subdiv::bisected(before, &bisections, after, levels) else { return Ok(None) };
+    let Some(map) = inherited(surface, &now.relaxed.map, &domain, &bisected) else { return Ok(None) };
+    let topology = Topology::new(domain.mesh.faces(), domain.mesh.n_vertices())?;
+    let n_before = now.relaxed.mesh.n_vertices() as u32;
+    let is_new = |v: VertexId| bisected.numbers[v] >= n_before;
+    let new = topology.faces().ids().filter(|&f| topology.face(f).into_iter().any(is_new)).collect();
+    let relaxed = Relaxed { mesh: domain.mesh, map, ..now.relaxed.clone() };
+    Ok(Some((OnBase { base: Cow::Owned(base), topology, relaxed }, new)))
+}
+
+/// The longest edge of the base face under each of some triangles, ends rising, in order. With `at_tips`, for a triangle at a base vertex
+/// it is one that ends there: another one leaves more triangles in the same angle.
+fn edges_under(now: &OnBase<'_>, folded: &[FaceId], levels: u32, at_tips: bool) -> Vec<[VertexId; 2]> {
+    // The children of base face f are 4f to 4f + 3, and so on from level to level. Base vertices come first at all levels.
+    let mut faces: BTreeMap<FaceId, Option<VertexId>> = BTreeMap::new();
+    for &f in folded {
+        let tip = now.topology.face(f).into_iter().find(|v| v.index() < now.base.mesh.n_vertices());
+        let known = faces.entry(FaceId(f.0 >> (2 * levels))).or_insert(tip);
+        *known = known.or(tip);
+    }
+    let longest = |(f, tip): (FaceId, Option<VertexId>)| {
+        let [a, b, c] = now.base.mesh.faces()[f];
+        let length = |&[a, b]: &[VertexId; 2]| now.relaxed.mesh.distance(a, b);
+        let edges = [[a, b], [b, c], [c, a]].into_iter().filter(|edge| !at_tips || tip.is_none_or(|tip| edge.contains(&tip)));
+        edges.max_by(|e, g| length(e).total_cmp(&length(g)))
+    };
+    let edges: BTreeSet<_> = faces.into_iter().filter_map(longest).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.into_iter().collect()
+}
+
+/// The map of a bisected domain: vertices that were there before stay, new ones are put in the middle of their edges. `None` where one
+/// has no neighbour to come from inside its sheet.
+fn inherited(surface: &Surface, before: &RegionMap, domain: &SubdivDomain, bisected: &Bisected) -> Option<RegionMap> {
+    let mut map = before.clone();
+    let mut classes = vec![None; before.points.len() + bisected.middles.len()];
+    for (v, &number) in bisected.numbers.enumerate() {
+        *classes.get_mut(number as usize)? = Some(domain.region.attachments[v]);
+    }
+    for middle in &bisected.middles {
+        let [a, b] = middle.ends.map(VertexId);
+        let m = VertexId::new(map.points.len());
+        let (attachment, point) = match classes[m.index()]? {
+            Attachment::Sheet(sheet) => {
+                let places = middle.ends.into_iter().chain(middle.beside.into_iter().flatten()).map(VertexId);
+                let start = places.into_iter().find(|&v| map.attachments[v] == Attachment::Sheet(sheet))?;
+                let position = |v: VertexId| map.points[v].position(surface.mesh);
+                let way = position(a).midpoint(position(b)) - position(start);
+                let may_cross = |e| !surface.network.is_barrier(e);
+                let end = walk(surface.mesh, surface.topology, map.points[start], way, may_cross).end;
+                (Attachment::Sheet(sheet), end)
+            }
+            _ => {
+                let span = map.span(a, b)?;
+                let (arc, t) = (&surface.network.arcs[span.arc], 0.5 * (span.from + span.to));
+                map.insert_span(a, m, ArcSpan { to: t, ..span });
+                map.insert_span(m, b, ArcSpan { from: t, ..span });
+                let t = arc.normalise(t);
+                (Attachment::Arc { arc: span.arc, t }, arc.point(surface.topology, t))
+            }
+        };
+        map.attachments.push(attachment);
+        map.points.push(point);
+    }
+    let number = |v: VertexId| VertexId(bisected.numbers[v]);
+    let vertices = || domain.mesh.positions().ids();
+    let mut inherited = RegionMap {
+        attachments: vertices().map(|v| map.attachments[number(v)]).collect(),
+        points: vertices().map(|v| map.points[number(v)]).collect(),
+        sheet_of_face: domain.region.sheet_of_face.clone(),
+        spans: Default::default(),
+    };
+    for &[a, b] in domain.region.spans.keys() {
+        inherited.insert_span(a, b, map.span(number(a), number(b))?);
+    }
+    Some(inherited)
+}
