@@ -9,11 +9,10 @@ use region_map::{ArcId, ArcSpan, Attachment, CornerId, RegionMap, Surface};
 pub(crate) struct Domain<'a> {
     pub(crate) surface: &'a Surface<'a>,
     pub(crate) topology: &'a Topology,
-    pub(crate) map: &'a RegionMap,
     /// What every vertex is free to do.
     pub(crate) freedoms: IdVec<VertexId, Freedom>,
     /// Which normal each face takes at each of its corners.
-    normals: IdVec<HalfedgeId, CornerNormal>,
+    pub(crate) normals: IdVec<HalfedgeId, CornerNormal>,
     /// No vertex inside a sheet moves farther in a step.
     pub(crate) longest_move: f64,
 }
@@ -51,7 +50,7 @@ pub(crate) struct RailEnd {
 
 /// Which normal a face takes at a corner.
 #[derive(Clone, Copy, Debug)]
-enum CornerNormal {
+pub(crate) enum CornerNormal {
     /// The vertex' own (inside a sheet), or the one on the left side of its arc.
     Left,
     /// The one on the right side of its arc.
@@ -84,7 +83,7 @@ impl<'a> Domain<'a> {
             }
         }
         let mean_edge = (surface.mesh.total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
-        Ok(Self { surface, topology, map, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
+        Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
     }
 
     /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of

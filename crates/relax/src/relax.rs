@@ -4,7 +4,7 @@ use crate::domain::Domain;
 use crate::mend::Mender;
 use crate::placement::Placement;
 use crate::quadric::relax_quadric;
-use crate::shape::optimise_shape;
+use crate::shape::{optimise_shape, target_areas};
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
 use mesh_core::{Topology, TriMesh};
 use region_map::{RegionMap, Surface};
@@ -56,20 +56,20 @@ pub fn relax(
 ) -> Result<Relaxed, RelaxError> {
     let mesh = domain;
     let domain = Domain::new(surface, topology, map)?;
-    let start = Placement::of_map(&domain);
+    let start = Placement::of_map(&domain, map);
     let start_quality = Quality::of(&start, &domain);
 
     let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
     let mender = Mender::new(&domain);
-    let (mut best, mut shape_steps) = shaped_and_mended(&domain, &mender, &relaxed, &options.shape)?;
+    let (mut best, mut shape_steps) = shaped_and_mended(&domain, map, &mender, &relaxed, &options.shape)?;
     let mut end = Quality::of(&best, &domain);
     if end.inverted > 0 {
         // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
         let smooth_only = ShapeOptions { untangling_steps: 0, ..options.shape.clone() };
         let mut mended = relaxed.clone();
         mender.mend_folds(&mut mended);
-        let (other, steps) = shaped_and_mended(&domain, &mender, &mended, &smooth_only)?;
+        let (other, steps) = shaped_and_mended(&domain, map, &mender, &mended, &smooth_only)?;
         let quality = Quality::of(&other, &domain);
         shape_steps += steps;
         if quality.is_better_than(&end) {
@@ -80,7 +80,7 @@ pub fn relax(
     if after_quadric.is_better_than(&end_at_least) {
         (best, end) = (relaxed, after_quadric);
     }
-    let (mesh, map) = best.into_domain(&domain, mesh)?;
+    let (mesh, map) = best.into_domain(&domain, mesh, map)?;
     let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
     Ok(Relaxed { mesh, map, report })
 }
@@ -88,11 +88,13 @@ pub fn relax(
 /// Shape optimisation, and then the mending of what it left folded. Returns the number of Newton steps, too.
 fn shaped_and_mended(
     domain: &Domain,
+    map: &RegionMap,
     mender: &Mender,
     start: &Placement,
     options: &ShapeOptions,
 ) -> Result<(Placement, usize), RelaxError> {
-    let (mut placement, steps) = optimise_shape(domain, start.clone(), options)?;
+    let targets = target_areas(domain, &map.sheet_of_face, start, &options.target)?;
+    let (mut placement, steps) = optimise_shape(domain, start.clone(), &targets, options);
     mender.mend_folds(&mut placement);
     Ok((placement, steps))
 }

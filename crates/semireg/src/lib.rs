@@ -25,6 +25,7 @@ mod patches;
 mod pipeline;
 mod rating;
 mod report;
+mod search;
 mod snapping;
 mod with_base;
 
