@@ -235,23 +235,14 @@ impl<'a> Editor<'a> {
     /// Replaces the edge between `a` and `b` by the other diagonal of its two faces. False when that is no simplicial mesh or the
     /// edge lies on an arc.
     pub(crate) fn flip(&mut self, a: VertexId, b: VertexId) -> bool {
-        self.flip_edit(a, b).is_some_and(|edit| self.replace(&[edit], None))
-    }
-
-    /// The same for a flip that is known to be good whatever its faces look like.
-    pub(crate) fn flip_anyway(&mut self, a: VertexId, b: VertexId) -> bool {
-        self.flip_edit(a, b).is_some_and(|edit| self.replace_anyway(&[edit]))
-    }
-
-    fn flip_edit(&self, a: VertexId, b: VertexId) -> Option<Edit> {
-        let [Some((f, c)), Some((g, d))] = self.beside(a, b) else { return None };
+        let [Some((f, c)), Some((g, d))] = self.beside(a, b) else { return false };
         if self.span(a, b).is_some() || c == d || self.is_edge(c, d) {
-            return None;
+            return false;
         }
         let [pa, pb, pc, pd] = quad([a, b, c, d].map(|v| self.positions[v]));
         let old = vec![(f, [a, b, c], [pa, pb, pc]), (g, [b, a, d], [pb, pa, pd])];
         let new = vec![([a, d, c], [pa, pd, pc]), ([d, b, c], [pd, pb, pc])];
-        Some(Edit { old, new })
+        self.replace(&[Edit { old, new }], None)
     }
 
     /// Puts a vertex in the middle of an edge, on an arc at the middle of its span. `None` when that fails.

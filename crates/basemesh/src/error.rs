@@ -9,9 +9,6 @@ pub enum BaseError {
     /// triangulated. Split them and try again.
     #[error("{} patches are too long or too winding to lay flat, the first is patch {}; split them and try again", .0.len(), .0.first().map_or(0, |p| p.0))]
     Uncharted(Vec<PatchId>),
-    /// An edit that does not fit the base mesh.
-    #[error("edit {0} of the list does not fit the base mesh, or would leave no simplicial one")]
-    Edit(usize),
     /// The patches don't join to a mesh: a bug of ours.
     #[error("internal error: the patches do not join to a base mesh ({0}); please report this with the input file")]
     Internal(String),

@@ -57,5 +57,5 @@ pub use build::{BaseOptions, build};
 pub use decimate::decimate;
 pub use error::BaseError;
 pub use mend::{Mended, mend};
-pub use replay::edited;
+pub use replay::Replay;
 pub use tutte::lay_flat;

@@ -1,28 +1,38 @@
-//! Edits that were chosen elsewhere.
+//! Edits that are chosen elsewhere.
 
 use crate::BaseError;
 use crate::editor::{Editor, Filling};
 use region_map::{BaseCounts, BaseEdit, BaseMesh, Surface};
 
-/// The base mesh after edits, in their order, and its map with it. Vertices keep their order; of those taken away the numbers are closed.
-///
-/// Fails where an edit does not fit the mesh, or would leave no simplicial one.
-pub fn edited(surface: &Surface<'_>, base: BaseMesh, edits: &[BaseEdit]) -> Result<BaseMesh, BaseError> {
-    let counts = base.counts.clone();
-    let mut editor = Editor::new(surface, base)?;
-    for (i, edit) in edits.iter().enumerate() {
-        let done = match edit {
-            BaseEdit::Flip([a, b]) => editor.flip_anyway(*a, *b),
+/// A base mesh under edits that are chosen elsewhere, and its map with it.
+pub struct Replay<'a> {
+    editor: Editor<'a>,
+    counts: BaseCounts,
+}
+
+impl<'a> Replay<'a> {
+    /// Begins with a base mesh. Fails when it is not manifold.
+    pub fn new(surface: &'a Surface<'a>, base: BaseMesh) -> Result<Self, BaseError> {
+        Ok(Self { counts: base.counts.clone(), editor: Editor::new(surface, base)? })
+    }
+
+    /// Carries an edit out. False, changing nothing, where it does not fit the mesh, would leave no simplicial one, or a face that turns its
+    /// back on the surface.
+    pub fn edit(&mut self, edit: &BaseEdit) -> bool {
+        let editor = &mut self.editor;
+        match edit {
+            BaseEdit::Flip([a, b]) => editor.flip(*a, *b),
             BaseEdit::Split([a, b]) => editor.split(*a, *b).is_some(),
             BaseEdit::Remove { vertex, filling } => {
                 let removal = editor.removal(*vertex, Filling::Given(filling));
-                removal.is_some_and(|removal| editor.take_away_anyway(&removal))
+                removal.is_some_and(|removal| editor.take_away(&removal))
             }
-        };
-        if !done {
-            return Err(BaseError::Edit(i));
         }
     }
-    let base = editor.finish()?;
-    Ok(BaseMesh { counts: BaseCounts { made: base.mesh.n_vertices(), ..counts }, ..base })
+
+    /// The base mesh as it is now. Vertices keep their order; the numbers of those taken away are closed.
+    pub fn finish(self) -> Result<BaseMesh, BaseError> {
+        let base = self.editor.finish()?;
+        Ok(BaseMesh { counts: BaseCounts { made: base.mesh.n_vertices(), ..self.counts }, ..base })
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! [`relax`] moves the vertices of a domain mesh: corners stay, vertices on arcs slide along them, all others walk inside their
 //! sheet. First comes the paper's relaxation (eqs. 7 to 9, corrected), then Newton's method on a shape energy over signed areas,
-//! which also untangles what is folded.
+//! which also untangles what is folded. [`reconnect`] searches edits of a base mesh by the same energy.
 //!
 //! ```
 //! use glam::DVec3;

@@ -155,7 +155,7 @@ impl Domain<'_> {
         Spot { point, t: 0.0, position: point.position(self.surface.mesh), normals: [normal; 2] }
     }
 
-    fn spot_on_arc(&self, rail: &Rail, t: f64) -> Spot {
+    pub(crate) fn spot_on_arc(&self, rail: &Rail, t: f64) -> Spot {
         let arc = &self.surface.network.arcs[rail.arc];
         let point = arc.point(self.surface.topology, t);
         let (_, s) = arc.segment(t);

@@ -72,12 +72,13 @@ pub(crate) fn target_areas(
     }
 }
 
-/// The energies of all faces of a domain, at most [`MOST_COST`].
+/// By how much the energies of all faces of a domain exceed the least one, at most [`MOST_COST`].
 pub(crate) fn costs(domain: &Domain, placement: &Placement, targets: &IdVec<FaceId, f64>, options: &ShapeOptions) -> Vec<f64> {
     let metric = Metric { power: options.power.max(1.0), size_weight: options.size_weight.max(0.0) };
     let cost = |f: FaceId| {
         let (corners, normal) = (placement.triangle(domain, f), placement.reference_normal(domain, f));
-        Triangle { corners, normal, target: targets[f], eps: 0.0 }.energy(&metric).min(MOST_COST)
+        let triangle = Triangle { corners, normal, target: targets[f], eps: 0.0 };
+        triangle.energy(&metric).min(MOST_COST) - (1.0 + metric.size_weight)
     };
     domain.topology.faces().ids().map(cost).collect()
 }

@@ -55,23 +55,9 @@ impl Editor<'_> {
 
     /// Takes a vertex away. False, changing nothing, where the new triangles would turn their backs on the surface.
     pub(crate) fn take_away(&mut self, removal: &Removal) -> bool {
-        let taken = self.replace(&removal.edits, None);
-        if taken {
-            self.join(removal);
+        if !self.replace(&removal.edits, None) {
+            return false;
         }
-        taken
-    }
-
-    /// The same for a removal that is known to be good whatever its triangles look like.
-    pub(crate) fn take_away_anyway(&mut self, removal: &Removal) -> bool {
-        let taken = self.replace_anyway(&removal.edits);
-        if taken {
-            self.join(removal);
-        }
-        taken
-    }
-
-    fn join(&mut self, removal: &Removal) {
         let v = removal.vertex;
         if let Some(([u, w], span)) = removal.joined {
             self.region.spans.remove(&[v.min(u), v.max(u)]);
@@ -79,6 +65,7 @@ impl Editor<'_> {
             self.region.insert_span(u, w, span);
         }
         self.n_vertices -= 1;
+        true
     }
 
     fn removal_inside(&self, v: VertexId, ring: &Ring, filling: Filling<'_>) -> Option<Edit> {

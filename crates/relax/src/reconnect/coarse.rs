@@ -5,6 +5,7 @@ use crate::domain::{CornerNormal, Domain, Freedom};
 use crate::placement::{Placement, Spot};
 use crate::shape::costs;
 use crate::{RelaxError, ShapeOptions};
+use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id as _, IdVec, VertexId};
 use region_map::{BaseEdit, RegionMap, SheetId};
 
@@ -115,7 +116,7 @@ impl<'a> Coarse<'a> {
             face.corners.iter().for_each(|&v| stars[v].push(faces.len()));
             faces.push(Some(face));
         }
-        if faces.is_empty() || topology.n_faces() % 4 != 0 {
+        if faces.is_empty() || !topology.n_faces().is_multiple_of(4) {
             return Err(RelaxError::NotSubdivided);
         }
         let targets = mean_areas(domain, map, &placement);
@@ -140,6 +141,11 @@ impl<'a> Coarse<'a> {
         self.stars[a].iter().any(|&f| self.face(f).is_some_and(|f| f.corners.contains(&b)))
     }
 
+    /// All base vertices, in order.
+    pub(crate) fn vertices(&self) -> impl Iterator<Item = VertexId> {
+        self.stars.enumerate().filter(|(_, star)| !star.is_empty()).map(|(v, _)| v)
+    }
+
     /// Is the middle of an edge on an arc?
     pub(crate) fn is_on_arc(&self, middle: VertexId) -> bool {
         !matches!(self.freedoms[middle], Freedom::Sheet)
@@ -148,6 +154,13 @@ impl<'a> Coarse<'a> {
     /// Would a face with these edges at `v`, given by their middles, be an ear? Its corner opens to 180 degrees as the arc is subdivided.
     pub(crate) fn is_ear(&self, v: VertexId, middles: [VertexId; 2]) -> bool {
         matches!(self.freedoms[v], Freedom::Rail(_)) && middles.into_iter().all(|m| self.is_on_arc(m))
+    }
+
+    /// A place near a point, by a walk from the nearest of those vertices that are inside the sheet. `None` where none is.
+    pub(crate) fn start_near(&self, target: DVec3, from: &[VertexId]) -> Option<Spot> {
+        let spots = from.iter().filter(|&&v| !self.is_on_arc(v)).map(|&v| &self.spots[v]);
+        let nearest = spots.min_by(|a, b| a.position.distance(target).total_cmp(&b.position.distance(target)))?;
+        Some(self.domain.walked(nearest, target - nearest.position))
     }
 
     /// All edges between two faces, ends rising, in order.
@@ -185,7 +198,9 @@ impl<'a> Coarse<'a> {
         }
         for &(v, spot, freedom) in &change.moved {
             while self.spots.len() <= v.index() {
-                (self.spots.push(spot), self.freedoms.push(Freedom::Fixed), self.stars.push(Vec::new()));
+                self.spots.push(spot);
+                self.freedoms.push(freedom);
+                self.stars.push(Vec::new());
             }
             (self.spots[v], self.freedoms[v]) = (spot, freedom);
         }
