@@ -144,7 +144,7 @@ fn collapse_edge(editor: &mut Editor<'_>, a: VertexId, b: VertexId, longest: f64
 }
 
 /// Takes a vertex away in that one of some ways that leaves the best triangles, if it may be. False when none could be taken.
-fn take_best(editor: &mut Editor<'_>, ways: &[(VertexId, Filling)], may_be: impl Fn(&Removal) -> bool) -> bool {
+fn take_best(editor: &mut Editor<'_>, ways: &[(VertexId, Filling<'_>)], may_be: impl Fn(&Removal) -> bool) -> bool {
     let removals = ways.iter().filter_map(|&(v, filling)| editor.removal(v, filling));
     let mut removals: Vec<Removal> = removals.filter(may_be).collect();
     removals.sort_by(|a, b| b.quality.total_cmp(&a.quality));

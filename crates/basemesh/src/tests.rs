@@ -1,10 +1,11 @@
 //! Tests of the stage on shapes with known patches.
 
+use crate::Replay;
 use crate::editor::{Editor, Filling};
 use crate::shapes::Shape;
 use mesh_core::{FaceId, Id as _, VertexId};
 use proptest::prelude::*;
-use region_map::BaseMesh;
+use region_map::{BaseEdit, BaseMesh};
 
 #[test]
 fn the_triangulated_sites_are_a_base_mesh() {
@@ -103,6 +104,52 @@ fn most_edits_of_a_sphere_are_possible() {
     let (base, done) = edit(&shape, shape.base(60, 0), &choices);
     assert!(done > 60, "only {done} of 100 edits were made");
     shape.check(&base);
+}
+
+/// A replay does what the editor does, removals with the triangles that are given; and keeps the map.
+#[test]
+fn edits_chosen_elsewhere_are_replayed() {
+    for shape in [Shape::cylinder(), Shape::sphere(), Shape::torus()] {
+        let surface = shape.surface();
+        let base = shape.base(60, 10);
+        let mut replay = Replay::new(&surface, base.clone()).unwrap();
+        let mut editor = Editor::new(&surface, base.clone()).unwrap();
+        let (mut flips, mut removals) = (0, 0);
+        for [a, b] in editor.edges().into_iter().step_by(7) {
+            let flip = editor.is_edge(a, b) && editor.flip(a, b);
+            assert_eq!(replay.edit(&BaseEdit::Flip([a, b])), flip);
+            flips += usize::from(flip);
+        }
+        for v in editor.vertices().into_iter().step_by(9) {
+            let Some(removal) = editor.removal(v, Filling::Cheapest) else { continue };
+            let old = editor.faces();
+            if editor.take_away(&removal) {
+                let filling = editor.faces().into_iter().filter(|f| !old.contains(f)).collect();
+                assert!(replay.edit(&BaseEdit::Remove { vertex: v, filling }));
+                removals += 1;
+            }
+        }
+        let [a, b] = editor.edges()[11];
+        assert!(editor.split(a, b).is_some() && replay.edit(&BaseEdit::Split([a, b])));
+        assert!(flips > 3 && removals > 2, "{flips} {removals}");
+        let replayed = replay.finish().unwrap();
+        shape.check(&replayed);
+        assert_eq!(replayed.counts.made, replayed.mesh.n_vertices());
+        assert_eq!(replayed.mesh, editor.finish().unwrap().mesh);
+    }
+}
+
+#[test]
+fn edits_that_do_not_fit_are_refused() {
+    let shape = Shape::cylinder();
+    let surface = shape.surface();
+    let base = shape.base(60, 10);
+    let on_arc = *base.region.spans.keys().next().unwrap();
+    let mut replay = Replay::new(&surface, base.clone()).unwrap();
+    assert!(!replay.edit(&BaseEdit::Flip(on_arc)));
+    assert!(!replay.edit(&BaseEdit::Remove { vertex: on_arc[0], filling: vec![] }));
+    let unchanged = replay.finish().unwrap();
+    assert_eq!((unchanged.mesh, unchanged.map.n_edits()), (base.mesh, base.map.n_edits()));
 }
 
 #[test]

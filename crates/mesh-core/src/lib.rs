@@ -23,6 +23,7 @@
 
 mod clean;
 pub mod exact;
+mod filling;
 mod id;
 mod inspect;
 mod measure;
@@ -35,6 +36,7 @@ mod triangle;
 mod walk;
 
 pub use clean::{CleanError, CleanOptions, CleanReport, Cleaned, clean};
+pub use filling::cheapest_filling;
 pub use id::{EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 pub use inspect::{Inspection, inspect};
 pub use measure::{Bounds, angles, area, aspect_ratio, equilateral_edge_length, normal, vector_area};

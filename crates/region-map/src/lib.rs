@@ -26,6 +26,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod base_edit;
 mod base_map;
 mod base_mesh;
 mod cells;
@@ -37,6 +38,7 @@ mod sheet_normals;
 mod sites;
 mod sizing;
 
+pub use base_edit::BaseEdit;
 pub use base_map::{BaseMap, Chart, ChartFace, ChartId, MapError, MapFaceId, flat_barycentric};
 pub use base_mesh::{BaseCounts, BaseMesh};
 pub use cells::{CellArc, CellArcId, CellCornerId, CellError, CellPatch, Cells};

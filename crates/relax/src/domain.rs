@@ -9,11 +9,10 @@ use region_map::{ArcId, ArcSpan, Attachment, CornerId, RegionMap, Surface};
 pub(crate) struct Domain<'a> {
     pub(crate) surface: &'a Surface<'a>,
     pub(crate) topology: &'a Topology,
-    pub(crate) map: &'a RegionMap,
     /// What every vertex is free to do.
     pub(crate) freedoms: IdVec<VertexId, Freedom>,
     /// Which normal each face takes at each of its corners.
-    normals: IdVec<HalfedgeId, CornerNormal>,
+    pub(crate) normals: IdVec<HalfedgeId, CornerNormal>,
     /// No vertex inside a sheet moves farther in a step.
     pub(crate) longest_move: f64,
     /// The vertices that may move, in rising order; all others stay whatever their freedom.
@@ -57,7 +56,7 @@ pub(crate) struct RailEnd {
 
 /// Which normal a face takes at a corner.
 #[derive(Clone, Copy, Debug)]
-enum CornerNormal {
+pub(crate) enum CornerNormal {
     /// The vertex' own (inside a sheet), or the one on the left side of its arc.
     Left,
     /// The one on the right side of its arc.
@@ -68,7 +67,7 @@ enum CornerNormal {
 
 impl<'a> Domain<'a> {
     /// Checks the map and works out what the vertices may do.
-    pub(crate) fn new(surface: &'a Surface<'a>, topology: &'a Topology, map: &'a RegionMap) -> Result<Self, RelaxError> {
+    pub(crate) fn new(surface: &'a Surface<'a>, topology: &'a Topology, map: &RegionMap) -> Result<Self, RelaxError> {
         map.check(topology, surface.network)?;
         let mut freedoms = IdVec::filled(Freedom::Fixed, topology.n_vertices());
         for (v, attachment) in map.attachments.enumerate() {
@@ -90,11 +89,21 @@ impl<'a> Domain<'a> {
             }
         }
         let mean_edge = (surface.mesh.total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
+        Ok(Self::free(surface, topology, freedoms, normals, LONGEST_MOVE * mean_edge))
+    }
+
+    /// A domain all of whose vertices may move as far as their freedoms allow.
+    pub(crate) fn free(
+        surface: &'a Surface<'a>,
+        topology: &'a Topology,
+        freedoms: IdVec<VertexId, Freedom>,
+        normals: IdVec<HalfedgeId, CornerNormal>,
+        longest_move: f64,
+    ) -> Self {
         let free = freedoms.ids().collect();
         let slots = freedoms.ids().map(|v| Some(v.0)).collect();
         let moving = topology.faces().ids().collect();
-        let longest_move = LONGEST_MOVE * mean_edge;
-        Ok(Self { surface, topology, map, freedoms, normals, longest_move, free, slots, moving })
+        Self { surface, topology, freedoms, normals, longest_move, free, slots, moving }
     }
 
     /// Frees some vertices and holds all others.

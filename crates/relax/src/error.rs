@@ -21,6 +21,9 @@ pub enum RelaxError {
         /// Number of faces of the domain.
         faces: usize,
     },
+    /// The faces are not the children of base faces, four of each in the order of `subdiv`.
+    #[error("the domain is not a base mesh that was subdivided once; subdivide it by one level")]
+    NotSubdivided,
     /// A position is not finite.
     #[error(transparent)]
     Mesh(#[from] MeshError),

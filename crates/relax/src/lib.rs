@@ -2,7 +2,7 @@
 //!
 //! [`relax`] moves the vertices of a domain mesh: corners stay, vertices on arcs slide along them, all others walk inside their
 //! sheet. First comes the paper's relaxation (eqs. 7 to 9, corrected), then Newton's method on a shape energy over signed areas,
-//! which also untangles what is folded.
+//! which also untangles what is folded. [`reconnect`] searches edits of a base mesh by the same energy.
 //!
 //! ```
 //! use glam::DVec3;
@@ -43,6 +43,7 @@ mod options;
 mod placement;
 mod quadric;
 mod quality;
+mod reconnect;
 mod relax;
 mod shape;
 mod system;
@@ -51,4 +52,5 @@ mod weights;
 pub use error::RelaxError;
 pub use options::{QuadricOptions, RelaxOptions, ShapeOptions, TargetArea, Weights};
 pub use quality::Quality;
+pub use reconnect::{ReconnectOptions, Reconnected, reconnect};
 pub use relax::{RelaxReport, Relaxed, relax, relax_around};

@@ -23,7 +23,7 @@ pub(crate) struct Spot {
 
 /// The places of all vertices.
 #[derive(Clone, Debug)]
-pub(crate) struct Placement(IdVec<VertexId, Spot>);
+pub(crate) struct Placement(pub(crate) IdVec<VertexId, Spot>);
 
 impl std::ops::Index<VertexId> for Placement {
     type Output = Spot;
@@ -34,10 +34,10 @@ impl std::ops::Index<VertexId> for Placement {
 
 impl Placement {
     /// Where the region map has the vertices.
-    pub(crate) fn of_map(domain: &Domain) -> Self {
-        let spot = |v: VertexId| match (domain.freedoms[v], domain.map.attachments[v]) {
+    pub(crate) fn of_map(domain: &Domain, map: &RegionMap) -> Self {
+        let spot = |v: VertexId| match (domain.freedoms[v], map.attachments[v]) {
             (Freedom::Rail(rail), Attachment::Arc { t, .. }) => domain.spot_on_arc(&rail, t),
-            _ => domain.spot_on_sheet(domain.map.points[v]),
+            _ => domain.spot_on_sheet(map.points[v]),
         };
         let vertices = domain.freedoms.ids().collect::<Vec<_>>();
         Self(IdVec::from_vec(vertices.into_par_iter().map(spot).collect()))
@@ -94,8 +94,13 @@ impl Placement {
     }
 
     /// The region map and the mesh of these places.
-    pub(crate) fn into_domain(self, domain: &Domain, mesh: &TriMesh) -> Result<(TriMesh, RegionMap), mesh_core::MeshError> {
-        let mut map = domain.map.clone();
+    pub(crate) fn into_domain(
+        self,
+        domain: &Domain,
+        mesh: &TriMesh,
+        map: &RegionMap,
+    ) -> Result<(TriMesh, RegionMap), mesh_core::MeshError> {
+        let mut map = map.clone();
         for (v, freedom) in domain.freedoms.enumerate() {
             let spot = &self[v];
             map.points[v] = spot.point;
@@ -141,7 +146,7 @@ impl Domain<'_> {
         Spot { point, t: 0.0, position: point.position(self.surface.mesh), normals: [normal; 2] }
     }
 
-    fn spot_on_arc(&self, rail: &Rail, t: f64) -> Spot {
+    pub(crate) fn spot_on_arc(&self, rail: &Rail, t: f64) -> Spot {
         let arc = &self.surface.network.arcs[rail.arc];
         let point = arc.point(self.surface.topology, t);
         let (_, s) = arc.segment(t);
@@ -166,12 +171,15 @@ impl Domain<'_> {
                 let slide = displacement.dot(self.rail_direction(rail, spot.t));
                 self.spot_on_arc(rail, spot.t + slide.clamp(back.min(0.0), forth.max(0.0)))
             }
-            Freedom::Sheet => {
-                let Self { surface, longest_move, .. } = self;
-                let displacement = displacement.clamp_length_max(*longest_move);
-                let may_cross = |e| !surface.network.is_barrier(e);
-                self.spot_on_sheet(walk(surface.mesh, surface.topology, spot.point, displacement, may_cross).end)
-            }
+            Freedom::Sheet => self.walked(&spot, displacement),
         }
+    }
+
+    /// The place after a walk over its sheet.
+    pub(crate) fn walked(&self, spot: &Spot, displacement: DVec3) -> Spot {
+        let Self { surface, longest_move, .. } = self;
+        let displacement = displacement.clamp_length_max(*longest_move);
+        let may_cross = |e| !surface.network.is_barrier(e);
+        self.spot_on_sheet(walk(surface.mesh, surface.topology, spot.point, displacement, may_cross).end)
     }
 }

@@ -4,7 +4,7 @@ use crate::domain::Domain;
 use crate::mend::Mender;
 use crate::placement::Placement;
 use crate::quadric::relax_quadric;
-use crate::shape::optimise_shape;
+use crate::shape::{optimise_shape, target_areas};
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
 use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, Topology, TriMesh, VertexId};
 use region_map::{RegionMap, Surface};
@@ -62,14 +62,14 @@ pub fn relax(
 ) -> Result<Relaxed, RelaxError> {
     let mesh = domain;
     let domain = Domain::new(surface, topology, map)?;
-    let start = Placement::of_map(&domain);
+    let start = Placement::of_map(&domain, map);
     let start_quality = Quality::of(&start, &domain);
 
     let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
-    let (best, end, shape_steps) = best_shape(&domain, &OnceCell::new(), (relaxed, after_quadric), SLACK, &options.shape)?;
+    let (best, end, shape_steps) = best_shape(&domain, map, &OnceCell::new(), (relaxed, after_quadric), SLACK, &options.shape)?;
     let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
-    finished(&domain, mesh, best, report)
+    finished(&domain, mesh, map, best, report)
 }
 
 /// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they are.
@@ -87,19 +87,19 @@ pub fn relax_around(
     let mesh = domain;
     let mut domain = Domain::new(surface, topology, map)?;
     let all: Vec<VertexId> = domain.free.clone();
-    let mut placement = Placement::of_map(&domain);
+    let mut placement = Placement::of_map(&domain, map);
     let start = Quality::of(&placement, &domain);
     let (index, mut shape_steps) = (OnceCell::new(), 0);
     for place in places(topology, faces) {
         domain.free_only(within(topology, &place, edges));
         let before = Quality::of(&placement, &domain);
-        let (best, _, steps) = best_shape(&domain, &index, (placement, before), LOCAL_SLACK, options)?;
+        let (best, _, steps) = best_shape(&domain, map, &index, (placement, before), LOCAL_SLACK, options)?;
         placement = best;
         shape_steps += steps;
     }
     domain.free_only(all);
     let end = Quality::of(&placement, &domain);
-    finished(&domain, mesh, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
+    finished(&domain, mesh, map, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
 }
 
 /// Some faces, sorted into places that have no vertex in common.
@@ -132,20 +132,21 @@ fn within(topology: &Topology, faces: &[FaceId], edges: usize) -> Vec<VertexId> 
 /// The start with optimised shapes, or itself where it was better; its quality, and the number of Newton steps.
 fn best_shape(
     domain: &Domain,
+    map: &RegionMap,
     index: &OnceCell<SurfaceIndex>,
     (start, start_quality): (Placement, Quality),
     slack: f64,
     options: &ShapeOptions,
 ) -> Result<(Placement, Quality, usize), RelaxError> {
     let mender = Mender::new(domain, index);
-    let (mut best, mut shape_steps) = shaped_and_mended(domain, &mender, &start, options)?;
+    let (mut best, mut shape_steps) = shaped_and_mended(domain, map, &mender, &start, options)?;
     let mut end = Quality::of(&best, domain);
     if end.inverted > 0 {
         // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
         let smooth_only = ShapeOptions { untangling_steps: 0, ..options.clone() };
         let mut mended = start.clone();
         mender.mend_folds(&mut mended);
-        let (other, steps) = shaped_and_mended(domain, &mender, &mended, &smooth_only)?;
+        let (other, steps) = shaped_and_mended(domain, map, &mender, &mended, &smooth_only)?;
         let quality = Quality::of(&other, domain);
         shape_steps += steps;
         if quality.is_better_than(&end) {
@@ -159,21 +160,29 @@ fn best_shape(
     Ok((best, end, shape_steps))
 }
 
-fn finished(domain: &Domain, mesh: &TriMesh, best: Placement, report: RelaxReport) -> Result<Relaxed, RelaxError> {
+fn finished(
+    domain: &Domain,
+    mesh: &TriMesh,
+    map: &RegionMap,
+    best: Placement,
+    report: RelaxReport,
+) -> Result<Relaxed, RelaxError> {
     let upright = |f: &FaceId| best.signed_area(domain, *f) > 0.0;
     let inverted = domain.topology.faces().ids().filter(|f| !upright(f)).collect();
-    let (mesh, map) = best.into_domain(domain, mesh)?;
+    let (mesh, map) = best.into_domain(domain, mesh, map)?;
     Ok(Relaxed { mesh, map, inverted, report })
 }
 
 /// Shape optimisation, and then the mending of what it left folded. Returns the number of Newton steps, too.
 fn shaped_and_mended(
     domain: &Domain,
+    map: &RegionMap,
     mender: &Mender,
     start: &Placement,
     options: &ShapeOptions,
 ) -> Result<(Placement, usize), RelaxError> {
-    let (mut placement, steps) = optimise_shape(domain, start.clone(), options)?;
+    let targets = target_areas(domain, &map.sheet_of_face, start, &options.target)?;
+    let (mut placement, steps) = optimise_shape(domain, start.clone(), &targets, options);
     mender.mend_folds(&mut placement);
     Ok((placement, steps))
 }

@@ -12,6 +12,7 @@ use crate::{RelaxError, ShapeOptions, TargetArea};
 use glam::{DMat2, DVec2, DVec3};
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
 use rayon::prelude::*;
+use region_map::SheetId;
 
 /// The share to which conjugate gradients lower the residual, and their cap.
 const SOLVER_TOLERANCE: f64 = 0.1;
@@ -36,6 +37,8 @@ const MOST_IDLE: usize = 8;
 /// a rocker arm at .952 (taking back holds up the neighbours), never taming a rabbit at .858; the better of both gave .960 and
 /// .958. That rabbit, from a folded start, still stalls between .94 and .96, depending on its start.
 const MOST_GROWTH: f64 = 10.0;
+/// What an inverted triangle costs, and any other at most.
+const MOST_COST: f64 = 100.0;
 /// This many steps in a row that gain less than the tolerance end the smoothing.
 const MOST_SMALL_GAINS: usize = 3;
 
@@ -43,12 +46,41 @@ const MOST_SMALL_GAINS: usize = 3;
 pub(crate) fn optimise_shape(
     domain: &Domain,
     start: Placement,
+    targets: &IdVec<FaceId, f64>,
     options: &ShapeOptions,
-) -> Result<(Placement, usize), RelaxError> {
-    let mut optimiser = Optimiser::new(domain, start, options)?;
+) -> (Placement, usize) {
+    let mut optimiser = Optimiser::new(domain, start, targets, options);
     let untangling = optimiser.untangle(options);
     let smoothing = optimiser.smooth(options);
-    Ok((optimiser.placement, untangling + smoothing))
+    (optimiser.placement, untangling + smoothing)
+}
+
+/// The areas wanted of all faces of a domain, by their sheets and their places at the start.
+pub(crate) fn target_areas(
+    domain: &Domain,
+    sheets: &IdVec<FaceId, SheetId>,
+    start: &Placement,
+    target: &TargetArea,
+) -> Result<IdVec<FaceId, f64>, RelaxError> {
+    let faces = domain.topology.n_faces();
+    match target {
+        TargetArea::SheetMean => Ok(sheet_means(domain, sheets, start)),
+        TargetArea::PerFace(areas) if areas.len() == faces && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
+            Ok(areas.clone())
+        }
+        TargetArea::PerFace(_) => Err(RelaxError::TargetArea { faces }),
+    }
+}
+
+/// By how much the energies of all faces of a domain exceed the least one, at most [`MOST_COST`].
+pub(crate) fn costs(domain: &Domain, placement: &Placement, targets: &IdVec<FaceId, f64>, options: &ShapeOptions) -> Vec<f64> {
+    let metric = Metric { power: options.power.max(1.0), size_weight: options.size_weight.max(0.0) };
+    let cost = |f: FaceId| {
+        let (corners, normal) = (placement.triangle(domain, f), placement.reference_normal(domain, f));
+        let triangle = Triangle { corners, normal, target: targets[f], eps: 0.0 };
+        triangle.energy(&metric).min(MOST_COST) - (1.0 + metric.size_weight)
+    };
+    domain.topology.faces().ids().map(cost).collect()
 }
 
 struct Optimiser<'a> {
@@ -56,7 +88,7 @@ struct Optimiser<'a> {
     /// The faces that can change, in rising order.
     faces: &'a [FaceId],
     pattern: Pattern,
-    targets: IdVec<FaceId, f64>,
+    targets: &'a IdVec<FaceId, f64>,
     metric: Metric,
     /// Regularisation of each of these faces, an area.
     eps: Vec<f64>,
@@ -73,20 +105,12 @@ struct Step {
 }
 
 impl<'a> Optimiser<'a> {
-    fn new(domain: &'a Domain<'a>, placement: Placement, options: &ShapeOptions) -> Result<Self, RelaxError> {
+    fn new(domain: &'a Domain<'a>, placement: Placement, targets: &'a IdVec<FaceId, f64>, options: &ShapeOptions) -> Self {
         let faces = &domain.moving;
-        let n_faces = domain.topology.n_faces();
-        let targets = match &options.target {
-            TargetArea::SheetMean => sheet_means(domain, &placement),
-            TargetArea::PerFace(areas) if areas.len() == n_faces && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
-                areas.clone()
-            }
-            TargetArea::PerFace(_) => return Err(RelaxError::TargetArea { faces: n_faces }),
-        };
         let metric = Metric { power: 1.0, size_weight: options.size_weight.max(0.0) };
         let eps = vec![0.0; faces.len()];
         let pattern = Pattern::new(domain.topology, &domain.free, &domain.slots, faces);
-        Ok(Self { domain, pattern, faces, targets, metric, eps, placement })
+        Self { domain, pattern, faces, targets, metric, eps, placement }
     }
 
     /// Steps on the regularised energy until no triangle is inverted or nearly so. Returns their number.
@@ -255,9 +279,9 @@ fn outer(a: DVec2, b: DVec2) -> DMat2 {
 }
 
 /// For every face the mean area of the faces of its sheet.
-fn sheet_means(domain: &Domain, placement: &Placement) -> IdVec<FaceId, f64> {
+fn sheet_means(domain: &Domain, sheets: &IdVec<FaceId, SheetId>, placement: &Placement) -> IdVec<FaceId, f64> {
     let mut sums = vec![(0.0, 0usize); domain.surface.network.n_sheets];
-    let sheet = |f: FaceId| domain.map.sheet_of_face[f].index();
+    let sheet = |f: FaceId| sheets[f].index();
     for f in domain.topology.faces().ids() {
         let (sum, n) = &mut sums[sheet(f)];
         *sum += mesh_core::area(placement.triangle(domain, f));

@@ -3,7 +3,7 @@
 use crate::input::Input;
 use crate::ladder::Rung;
 use crate::patches::{Patches, patches};
-use crate::rating::rate;
+use crate::search::searched;
 use crate::{Error, Options, StageSeconds};
 use basemesh::BaseOptions;
 use features::FeatureOptions;
@@ -85,8 +85,11 @@ pub(crate) fn base_stages(
     // The history of edits distorts the map; where edges cannot be traced it still is one.
     let retraced = |(way, base): (Way, BaseMesh)| (way, trace_base::retrace(&surface, &base).unwrap_or(base));
     let bases: Vec<_> = seconds.time("retrace", || bases.into_par_iter().map(retraced).collect());
-    let mut rated: Vec<(f64, Way, BaseMesh)> = seconds
-        .time("rate", || bases.into_par_iter().map(|(way, base)| (rate(&surface, &base, asked, options), way, base)).collect());
+    let searched = |(way, base): (Way, BaseMesh)| {
+        let (rating, base) = searched(&surface, &sizing, base, asked, options);
+        (rating, way, base)
+    };
+    let mut rated: Vec<_> = seconds.time("search", || bases.into_par_iter().map(searched).collect());
     rated.sort_by(|a, b| b.0.total_cmp(&a.0));
     if let (true, Some(e)) = (rated.is_empty(), failure) {
         return Err(e);

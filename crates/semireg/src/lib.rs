@@ -26,6 +26,7 @@ mod pipeline;
 mod rating;
 mod repair;
 mod report;
+mod search;
 mod snapping;
 mod with_base;
 

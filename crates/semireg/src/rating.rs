@@ -3,6 +3,7 @@
 use crate::{Error, Options};
 use mesh_core::Topology;
 use region_map::{BaseMesh, Surface};
+use relax::Relaxed;
 
 /// What each further e-fold of vertices beyond those asked takes off the rating.
 const EXCESS_COST: f64 = 0.1;
@@ -13,14 +14,14 @@ const EXCESS_COST: f64 = 0.1;
 /// decided that level 1 does not show. Negative infinity for a base mesh that the stages refuse.
 pub(crate) fn rate(surface: &Surface, base: &BaseMesh, asked: usize, options: &Options) -> f64 {
     let excess = (base.mesh.n_vertices() as f64 / asked.max(1) as f64).ln().max(0.0);
-    relaxed_quality(surface, base, options).map_or(f64::NEG_INFINITY, |quality| quality - EXCESS_COST * excess)
+    relaxed_once(surface, base, options).map_or(f64::NEG_INFINITY, |r| r.report.end.ar_mean - EXCESS_COST * excess)
 }
 
-fn relaxed_quality(surface: &Surface, base: &BaseMesh, options: &Options) -> Result<f64, Error> {
+/// The first subdivision of a base mesh, relaxed.
+pub(crate) fn relaxed_once(surface: &Surface, base: &BaseMesh, options: &Options) -> Result<Relaxed, Error> {
     let domain = subdiv::subdivide(&base.mesh, &base.region, 1)?;
     let origins = Some(project::Origins { base, points: &domain.origins });
     let projected = project::project(surface, &domain.mesh, &domain.region, origins, &options.project)?;
     let topology = Topology::new(projected.mesh.faces(), projected.mesh.n_vertices())?;
-    let relaxed = relax::relax(surface, &projected.mesh, &topology, &projected.region, &options.relax)?;
-    Ok(relaxed.report.end.ar_mean)
+    Ok(relax::relax(surface, &projected.mesh, &topology, &projected.region, &options.relax)?)
 }

@@ -2,21 +2,23 @@
 
 use super::Editor;
 use super::replace::Edit;
-use crate::filling::cheapest_filling;
+
 use crate::layout::{are_unfolded, full_star, half_star};
 use crate::shape::{inverse_mean_ratio, signed_quality};
 use crate::star::{Face, Ring, side_between};
 use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, VertexId, exact};
+use mesh_core::{FaceId, VertexId, cheapest_filling, exact};
 use region_map::{ArcSpan, Attachment};
 
 /// How the star of a vertex is filled.
 #[derive(Clone, Copy)]
-pub(crate) enum Filling {
+pub(crate) enum Filling<'t> {
     /// With a fan round one of the neighbours: the vertex is collapsed into it. On an arc it must be a neighbour there.
     Fan(VertexId),
     /// With the triangles of the best shape.
     Cheapest,
+    /// With those of these triangles that have all corners on the polygon.
+    Given(&'t [[VertexId; 3]]),
 }
 
 /// What taking a vertex away would leave.
@@ -35,7 +37,7 @@ pub(crate) struct Removal {
 
 impl Editor<'_> {
     /// How to take `v` away. `None` for a corner, and where the filling makes no simplicial mesh.
-    pub(crate) fn removal(&self, v: VertexId, filling: Filling) -> Option<Removal> {
+    pub(crate) fn removal(&self, v: VertexId, filling: Filling<'_>) -> Option<Removal> {
         let ring = self.ring(v)?;
         let (edits, joined) = match self.attachment(v) {
             Attachment::Corner(_) => return None,
@@ -66,7 +68,7 @@ impl Editor<'_> {
         true
     }
 
-    fn removal_inside(&self, v: VertexId, ring: &Ring, filling: Filling) -> Option<Edit> {
+    fn removal_inside(&self, v: VertexId, ring: &Ring, filling: Filling<'_>) -> Option<Edit> {
         let n = ring.vertices.len();
         // Two triangles over the same three vertices are a pillow.
         let is_pillow = |t: [VertexId; 3]| self.is_face(t) || self.is_face([t[0], t[2], t[1]]);
@@ -85,7 +87,7 @@ impl Editor<'_> {
     }
 
     /// Both sides of the arc are laid out on their own, with the arc straight and by arc length.
-    fn removal_on_arc(&self, v: VertexId, ring: &Ring, filling: Filling) -> Option<(Vec<Edit>, [VertexId; 2], ArcSpan)> {
+    fn removal_on_arc(&self, v: VertexId, ring: &Ring, filling: Filling<'_>) -> Option<(Vec<Edit>, [VertexId; 2], ArcSpan)> {
         let along: Vec<VertexId> = ring.vertices.iter().copied().filter(|&w| self.span(v, w).is_some()).collect();
         let [u, w] = along[..] else { return None };
         let (to_u, to_w) = (self.span(v, u)?, self.span(v, w)?);
@@ -105,7 +107,7 @@ impl Editor<'_> {
         Some((edits, [u, w], span))
     }
 
-    fn removal_beside(&self, v: VertexId, side: &Ring, [ahead, behind]: [f64; 2], filling: Filling) -> Option<Edit> {
+    fn removal_beside(&self, v: VertexId, side: &Ring, [ahead, behind]: [f64; 2], filling: Filling<'_>) -> Option<Edit> {
         let positions: Vec<DVec3> = side.vertices.iter().map(|&w| self.position(w)).collect();
         let spokes = |p: &[DVec2]| -> Vec<[DVec2; 3]> { p.windows(2).map(|w| [DVec2::ZERO, w[0], w[1]]).collect() };
         let normal = self.star_normal(&side.faces);
@@ -119,7 +121,7 @@ impl Editor<'_> {
     }
 
     /// A triangulation of a flat polygon, by places in the list of its vertices. Its last side may be an edge to come.
-    fn filled(&self, vertices: &[VertexId], flat: &[DVec2], normal: DVec3, filling: Filling) -> Option<Vec<[usize; 3]>> {
+    fn filled(&self, vertices: &[VertexId], flat: &[DVec2], normal: DVec3, filling: Filling<'_>) -> Option<Vec<[usize; 3]>> {
         let n = vertices.len();
         let is_side = |i: usize, j: usize| i.abs_diff(j) == 1 || i.abs_diff(j) == n - 1;
         let may_be = |i: usize, j: usize| is_side(i, j) || !self.is_edge(vertices[i], vertices[j]);
@@ -131,6 +133,14 @@ impl Editor<'_> {
                 let start = vertices.iter().position(|&w| w == apex)?;
                 let fan: Vec<_> = (1..n - 1).map(|i| [start, (start + i) % n, (start + i + 1) % n]).collect();
                 fan.iter().all(is_sound).then_some(fan)
+            }
+            Filling::Given(triangles) => {
+                let place = |v: VertexId| vertices.iter().position(|&w| w == v);
+                let places = triangles.iter().filter_map(|&[a, b, c]| Some([place(a)?, place(b)?, place(c)?]));
+                // A polygon's corners come in their order round it, whichever is first.
+                let mut given: Vec<_> = places.collect();
+                given.iter_mut().for_each(|t| t.sort_unstable());
+                (given.len() + 2 == n && given.iter().all(is_sound)).then_some(given)
             }
             Filling::Cheapest => {
                 cheapest_filling(n, |t| is_sound(&t).then(|| inverse_mean_ratio(t.map(|i| self.position(vertices[i])), normal)))

@@ -2,7 +2,7 @@
 
 /// Triangulates a polygon with `n` corners, counter-clockwise, so that the sum of the costs of its triangles is least. `None` for a
 /// triangle that may not be; without any triangulation the result is `None`, too. Triangles come with their corners in rising order.
-pub(crate) fn cheapest_filling(n: usize, cost: impl Fn([usize; 3]) -> Option<f64>) -> Option<Vec<[usize; 3]>> {
+pub fn cheapest_filling(n: usize, cost: impl Fn([usize; 3]) -> Option<f64>) -> Option<Vec<[usize; 3]>> {
     // For every chord from i to j the least cost on its left, and the third corner of the triangle there.
     let mut best = vec![vec![Some((0.0, 0)); n]; n];
     for gap in 2..n {

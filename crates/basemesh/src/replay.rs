@@ -1,0 +1,38 @@
+//! Edits that are chosen elsewhere.
+
+use crate::BaseError;
+use crate::editor::{Editor, Filling};
+use region_map::{BaseCounts, BaseEdit, BaseMesh, Surface};
+
+/// A base mesh under edits that are chosen elsewhere, and its map with it.
+pub struct Replay<'a> {
+    editor: Editor<'a>,
+    counts: BaseCounts,
+}
+
+impl<'a> Replay<'a> {
+    /// Begins with a base mesh. Fails when it is not manifold.
+    pub fn new(surface: &'a Surface<'a>, base: BaseMesh) -> Result<Self, BaseError> {
+        Ok(Self { counts: base.counts.clone(), editor: Editor::new(surface, base)? })
+    }
+
+    /// Carries an edit out. False, changing nothing, where it does not fit the mesh, would leave no simplicial one, or a face that turns its
+    /// back on the surface.
+    pub fn edit(&mut self, edit: &BaseEdit) -> bool {
+        let editor = &mut self.editor;
+        match edit {
+            BaseEdit::Flip([a, b]) => editor.flip(*a, *b),
+            BaseEdit::Split([a, b]) => editor.split(*a, *b).is_some(),
+            BaseEdit::Remove { vertex, filling } => {
+                let removal = editor.removal(*vertex, Filling::Given(filling));
+                removal.is_some_and(|removal| editor.take_away(&removal))
+            }
+        }
+    }
+
+    /// The base mesh as it is now. Vertices keep their order; the numbers of those taken away are closed.
+    pub fn finish(self) -> Result<BaseMesh, BaseError> {
+        let base = self.editor.finish()?;
+        Ok(BaseMesh { counts: BaseCounts { made: base.mesh.n_vertices(), ..self.counts }, ..base })
+    }
+}

@@ -1,0 +1,84 @@
+//! Vertices that change places: one is taken away where it is worth least, one put in where it is worth most.
+
+use super::remove::removal;
+use super::search::{Search, Trial};
+use super::split::{NEW_VERTICES, split};
+use mesh_core::VertexId;
+use rayon::prelude::*;
+use region_map::BaseEdit;
+
+/// Where the sizing field asks for less than this share of the full length no vertex is taken away: spot lost a limb that way.
+const SPARE: f64 = 0.95;
+/// A vertex is put in between faces that exceed the least energy by more than this.
+const LEAST_WORTH: f64 = 1.0;
+
+/// Where a vertex could be put in or taken away.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Site {
+    Edge([VertexId; 2]),
+    Vertex(VertexId),
+}
+
+impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
+    /// Takes vertices away and puts others in, as many, where both together gain. Returns the edges near by.
+    pub(super) fn exchange(&mut self) -> Vec<[VertexId; 2]> {
+        self.rate_sites();
+        let mut sites: Vec<(f64, Site)> = self.rated.iter().map(|(&s, t)| (t.gain, s)).collect();
+        sites.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let (splits, removals): (Vec<Site>, Vec<Site>) = sites.into_iter().map(|s| s.1).partition(|s| matches!(s, Site::Edge(_)));
+        let mut corners = Vec::new();
+        for split in splits {
+            while let Some(partner) = self.partner(split, &removals) {
+                let Some(removed) = self.rated.remove(&partner).and_then(|trial| self.carry_out(trial)) else { continue };
+                corners.extend(removed);
+                let split = self.rated.remove(&split).and_then(|trial| self.carry_out(trial));
+                corners.extend(split.into_iter().flatten());
+            }
+        }
+        self.near(&corners, Vec::new())
+    }
+
+    /// The removal that is best together with a split, if both gain enough.
+    fn partner(&self, split: Site, removals: &[Site]) -> Option<Site> {
+        let split = self.rated.get(&split).filter(|t| self.holds(t))?;
+        let is_apart = |t: &&Trial| t.region.iter().all(|f| split.region.binary_search(f).is_err());
+        let mut open = removals.iter().filter_map(|s| Some((*s, self.rated.get(s)?)));
+        let (site, trial) = open.find(|(_, t)| self.holds(t) && is_apart(t))?;
+        (split.gain + trial.gain > self.options.least_exchange_gain).then_some(site)
+    }
+
+    /// Rates all splits and removals that are not, or not as things are now.
+    fn rate_sites(&mut self) {
+        let mut rated = std::mem::take(&mut self.rated);
+        rated.retain(|_, t| self.holds(t));
+        let is_worth = |e: &[VertexId; 2]| self.cost_beside(*e) > LEAST_WORTH;
+        let edges = self.coarse.edges().into_iter().filter(is_worth).map(Site::Edge);
+        let removable = self.coarse.vertices().filter(|&v| self.is_spare(v)).map(Site::Vertex);
+        let sites: Vec<Site> = edges.chain(removable).filter(|s| !rated.contains_key(s)).collect();
+        self.found.tries += sites.len();
+        // Splits that were rated before keep the numbers that they have.
+        let first = self.n_middles;
+        self.n_middles += NEW_VERTICES * sites.iter().filter(|s| matches!(s, Site::Edge(_))).count();
+        let trial = |(i, &site): (usize, &Site)| {
+            let change = match site {
+                Site::Edge(e) => split(&self.coarse, e, first + NEW_VERTICES * i),
+                Site::Vertex(v) => removal(&self.coarse, v),
+            };
+            Some((site, self.tried(change?)?))
+        };
+        let new: Vec<_> = sites.par_iter().enumerate().filter_map(trial).collect();
+        rated.extend(new);
+        self.rated = rated;
+    }
+
+    /// May a vertex be taken away? Where the surface turns all are needed, which the first subdivision does not tell of.
+    fn is_spare(&self, v: VertexId) -> bool {
+        let surface = self.coarse.domain.surface;
+        self.sizing.at(surface.mesh, self.coarse.spots[v].point) >= SPARE
+    }
+
+    fn cost_beside(&self, [a, b]: [VertexId; 2]) -> f64 {
+        let sides = [self.coarse.face_at(a, b), self.coarse.face_at(b, a)];
+        sides.into_iter().flatten().map(|(f, _)| self.coarse.costs[f]).sum()
+    }
+}

@@ -1,0 +1,78 @@
+//! A new base vertex in the middle of an edge.
+
+use super::coarse::{BaseFace, Change, Coarse};
+use crate::domain::{CornerNormal, Freedom, Rail, RailEnd};
+use crate::placement::Spot;
+use mesh_core::{Id as _, VertexId};
+use region_map::BaseEdit;
+
+/// Vertices that a split makes at most.
+pub(super) const NEW_VERTICES: usize = 4;
+
+/// The split of an edge. Its middle becomes a base vertex; the middles of the new edges get numbers from `first` on. `None` where there is no
+/// such edge, or one of its faces has all three edges on arcs.
+pub(super) fn split(coarse: &Coarse, [a, b]: [VertexId; 2], first: usize) -> Option<Change> {
+    let sides = [(coarse.face_at(a, b), [a, b]), (coarse.face_at(b, a), [b, a])];
+    let middle = sides.iter().find_map(|(side, _)| Some(side.as_ref()?.1.middles[0]))?;
+    let [to_a, to_b, to_left, to_right] = [0, 1, 2, 3].map(|i| VertexId::new(first + i));
+    let mut change = Change { edit: BaseEdit::Split([a, b]), corners: vec![a, b], old: vec![], new: vec![], moved: vec![] };
+    for ((side, [from, to]), across) in sides.into_iter().zip([to_left, to_right]) {
+        let Some((f, BaseFace { corners, middles, normals, sheet })) = side else { continue };
+        let [[na, nb, nc], [nm, nbc, nca]] = normals;
+        let ([_, _, c], [_, bc, ca]) = (corners, middles);
+        let (behind, ahead) = if from == a { (to_a, to_b) } else { (to_b, to_a) };
+        let n = CornerNormal::Left;
+        let part = |corners, middles, normals| BaseFace { corners, middles, normals, sheet };
+        change.new.push(part([from, middle, c], [behind, across, ca], [[na, nm, nc], [nm, n, nca]]));
+        change.new.push(part([middle, to, c], [ahead, bc, across], [[nm, nb, nc], [nm, nbc, n]]));
+        change.old.push(f);
+        change.corners.push(c);
+        let target = coarse.spots[middle].position.midpoint(coarse.spots[c].position);
+        change.moved.push((across, coarse.start_near(target, &[middle, c, ca, bc])?, Freedom::Sheet));
+    }
+    halve(coarse, middle, [(a, to_a), (b, to_b)], &mut change);
+    Some(change)
+}
+
+/// Places the middles of the halves of an edge, between its own middle and its two ends.
+fn halve(coarse: &Coarse, middle: VertexId, halves: [(VertexId, VertexId); 2], change: &mut Change) {
+    let spot = coarse.spots[middle];
+    let Freedom::Rail(rail) = coarse.freedoms[middle] else {
+        for (end, half) in halves {
+            let way = 0.5 * (coarse.spots[end].position - spot.position);
+            change.moved.push((half, coarse.domain.walked(&spot, way), Freedom::Sheet));
+        }
+        return;
+    };
+    // Arc lengths of the halves are counted as those of the middle.
+    let here = |vertex: VertexId| RailEnd { vertex, shift: 0.0 };
+    let half_at = |end: RailEnd| halves.iter().find(|h| h.0 == end.vertex).map_or(end.vertex, |h| h.1);
+    let (behind, ahead) = (half_at(rail.behind), half_at(rail.ahead));
+    let longest_gap = 0.5 * rail.longest_gap;
+    let rails = [
+        (behind, rail.behind, Rail { ahead: here(middle), longest_gap, ..rail }),
+        (ahead, rail.ahead, Rail { behind: here(middle), longest_gap, ..rail }),
+    ];
+    for (half, end, rail) in rails {
+        let t = 0.5 * (spot.t + coarse.spots[end.vertex].t + end.shift);
+        change.moved.push((half, coarse.domain.spot_on_arc(&rail, t), Freedom::Rail(rail)));
+        change.meet(coarse, end.vertex, middle, here(half));
+    }
+    let rail = Rail { behind: here(behind), ahead: here(ahead), longest_gap, ..rail };
+    change.moved.push((middle, spot, Freedom::Rail(rail)));
+}
+
+impl Change {
+    /// Another neighbour for a vertex on an arc in the place of `old`, from whose arc lengths it differs by `new.shift`.
+    pub(super) fn meet(&mut self, coarse: &Coarse, v: VertexId, old: VertexId, new: RailEnd) {
+        let (spot, freedom): (Spot, Freedom) = self.state(coarse, v);
+        let Freedom::Rail(mut rail) = freedom else { return };
+        for end in [&mut rail.behind, &mut rail.ahead] {
+            if end.vertex == old {
+                *end = RailEnd { vertex: new.vertex, shift: end.shift + new.shift };
+            }
+        }
+        self.moved.retain(|m| m.0 != v);
+        self.moved.push((v, spot, Freedom::Rail(rail)));
+    }
+}

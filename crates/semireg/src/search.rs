@@ -1,0 +1,30 @@
+//! Better connectivity for the base mesh, by what it can be relaxed to.
+
+use crate::rating::{rate, relaxed_once};
+use crate::{Error, Options};
+use basemesh::Replay;
+use mesh_core::Topology;
+use region_map::{BaseMesh, Sizing, Surface};
+
+/// The base mesh after edits that lower the energy of its relaxed first subdivision, if that is rated higher, and its rating.
+pub(crate) fn searched(surface: &Surface, sizing: &Sizing, base: BaseMesh, asked: usize, options: &Options) -> (f64, BaseMesh) {
+    let rating = rate(surface, &base, asked, options);
+    // Where the search fails there still is the base mesh.
+    let Ok(Some(found)) = search(surface, sizing, &base, options) else { return (rating, base) };
+    let its_rating = rate(surface, &found, asked, options);
+    if its_rating > rating { (its_rating, found) } else { (rating, base) }
+}
+
+/// The base mesh after the edits that were found, with a map of its own; `None` where none was.
+fn search(surface: &Surface, sizing: &Sizing, base: &BaseMesh, options: &Options) -> Result<Option<BaseMesh>, Error> {
+    let relaxed = relaxed_once(surface, base, options)?;
+    let topology = Topology::new(relaxed.mesh.faces(), relaxed.mesh.n_vertices())?;
+    let mut replay = Replay::new(surface, base.clone())?;
+    let found = relax::reconnect(surface, sizing, &topology, &relaxed.map, &Default::default(), |edit| replay.edit(edit))?;
+    if found.edits.is_empty() {
+        return Ok(None);
+    }
+    let base = replay.finish()?;
+    // As in all other places the map of the edits is one, too.
+    Ok(Some(trace_base::retrace(surface, &base).unwrap_or(base)))
+}
