@@ -120,7 +120,7 @@ fn failed_writes_leave_nothing() {
 
 #[test]
 fn missing_and_unknown_files_are_named() {
-    assert!(read(Path::new("no/such.obj")).unwrap_err().to_string().starts_with("cannot read no/such.obj: "));
+    assert!(read(Path::new("no/such.obj")).unwrap_err().to_string().starts_with("cannot read no/such.obj;"));
     assert!(read(Path::new("a.step")).unwrap_err().to_string().starts_with("a.step: the extension"));
 }
 
