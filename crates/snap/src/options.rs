@@ -26,6 +26,6 @@ pub struct SnapOptions {
 
 impl Default for SnapOptions {
     fn default() -> Self {
-        Self { bend: 8e-4, least_kept: 0.5, least_length: 3.0, most_turn: 15.0, sharp_turn: 50.0, least_quality: 0.4 }
+        Self { bend: 8e-4, least_kept: 0.5, least_length: 3.0, most_turn: 15.0, sharp_turn: 50.0, least_quality: 0.3 }
     }
 }
