@@ -53,4 +53,4 @@ pub use error::RelaxError;
 pub use options::{QuadricOptions, RelaxOptions, ShapeOptions, TargetArea, Weights};
 pub use quality::Quality;
 pub use reconnect::{ReconnectOptions, Reconnected, reconnect};
-pub use relax::{RelaxReport, Relaxed, relax, relax_around};
+pub use relax::{RelaxReport, Relaxed, inverted, relax, relax_around};

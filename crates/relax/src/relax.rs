@@ -102,6 +102,18 @@ pub fn relax_around(
     finished(&domain, mesh, map, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
 }
 
+/// The faces of a domain that face against the surface, in rising order, with their vertices where the map has them.
+///
+/// Fails as [`relax`] does.
+pub fn inverted(surface: &Surface, topology: &Topology, map: &RegionMap) -> Result<Vec<FaceId>, RelaxError> {
+    let domain = Domain::new(surface, topology, map)?;
+    Ok(inverted_of(&domain, &Placement::of_map(&domain, map)))
+}
+
+fn inverted_of(domain: &Domain, placement: &Placement) -> Vec<FaceId> {
+    domain.topology.faces().ids().filter(|&f| placement.signed_area(domain, f) <= 0.0).collect()
+}
+
 /// Some faces, sorted into places that have no vertex in common.
 fn places(topology: &Topology, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
     let mut left: BTreeSet<FaceId> = faces.iter().copied().collect();
@@ -167,8 +179,7 @@ fn finished(
     best: Placement,
     report: RelaxReport,
 ) -> Result<Relaxed, RelaxError> {
-    let upright = |f: &FaceId| best.signed_area(domain, *f) > 0.0;
-    let inverted = domain.topology.faces().ids().filter(|f| !upright(f)).collect();
+    let inverted = inverted_of(domain, &best);
     let (mesh, map) = best.into_domain(domain, mesh, map)?;
     Ok(Relaxed { mesh, map, inverted, report })
 }

@@ -39,8 +39,8 @@ pub enum Error {
     Base(#[from] basemesh::BaseError),
     /// The finest level would be too large.
     #[error(
-        "the result would have {triangles} triangles on {base_vertices} base vertices, more than {}; ask for fewer levels or base \
-         vertices",
+        "the result would have {triangles} triangles, as corners, creases and shape take {base_vertices} base vertices; ask for fewer levels \
+         (--levels), or for that many base vertices if you mean it (--base-vertices, at most {} triangles)",
         crate::MAX_TRIANGLES
     )]
     TooLarge {

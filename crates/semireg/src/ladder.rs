@@ -75,7 +75,11 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
                 break 'rungs;
             }
             needed = needed.max(stages.base.counts.needed);
-            climb.triangles += finest_triangles(&stages, options.levels)?;
+            climb.triangles += match finest_triangles(&stages, options.levels) {
+                Ok(triangles) => triangles,
+                Err(e) if climb.is_empty() => return Err(e),
+                Err(_) => break 'rungs,
+            };
             match run(&stages, options, seconds) {
                 Ok(remeshed) => {
                     if climb.pass(input, options, rung, remeshed) {
@@ -90,6 +94,11 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
 }
 
 impl Climb {
+    /// Has nothing been tried yet?
+    fn is_empty(&self) -> bool {
+        self.passed.is_none() && self.first_failure.is_none()
+    }
+
     /// Takes a result that passed the certificate; true if it has lost nothing.
     fn pass(&mut self, input: &Input, options: &Options, rung: &Rung, remeshed: Remeshed) -> bool {
         let missed = remeshed.report.certificate.measures.distance.worse().max;

@@ -18,9 +18,8 @@ const SAMPLES: usize = 20_000;
 
 /// Rates a base mesh by its first subdivision, relaxed: the mean quality (AR) that has, with 0 for triangles that stay folded, less a
 /// cost for its distance from the surface (root mean square, in base edges), less one for vertices beyond those asked. That is a sixteenth
-/// of the triangles of level 3. Negative infinity for a base mesh that the stages refuse.
-pub(crate) fn rate(surface: &Surface, base: &BaseMesh, asked: usize, options: &Options) -> f64 {
-    let Ok(relaxed) = relaxed_once(surface, base, options) else { return f64::NEG_INFINITY };
+/// of the triangles of level 3.
+pub(crate) fn rate(surface: &Surface, base: &BaseMesh, relaxed: &Relaxed, asked: usize) -> f64 {
     let excess = (base.mesh.n_vertices() as f64 / asked.max(1) as f64).ln().max(0.0);
     let edge_length = equilateral_edge_length(surface.mesh.total_area(), asked);
     let distance = (distance(surface.mesh, &relaxed.mesh) / edge_length).max(NO_DISTANCE);
