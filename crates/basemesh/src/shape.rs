@@ -3,7 +3,7 @@
 use crate::editor::Editor;
 use crate::star::Face;
 use glam::DVec3;
-use mesh_core::VertexId;
+use mesh_core::{VertexId, inverse_mean_ratio};
 use region_map::Attachment;
 
 /// Cost of one edge too many or too few at a vertex, in units of the shape cost of a triangle.
@@ -14,8 +14,6 @@ const FOLD_COST: f64 = 2.0;
 const EAR_COST: f64 = 300.0;
 /// Cosine of the angle between two arcs beyond which a triangle in it is an ear: 150 degrees.
 const EAR_COSINE: f64 = -0.866;
-/// Cap on the shape cost, so that one needle does not outweigh all.
-const WORST_SHAPE: f64 = 100.0;
 
 /// Quality (AR) of a triangle, negative for one that faces against `normal`.
 pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
@@ -64,14 +62,6 @@ pub(crate) fn is_ear(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
             _ => false,
         }
     })
-}
-
-/// `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, 1 for an equilateral triangle that faces along `normal`; the area `A` is that seen along it.
-pub(crate) fn inverse_mean_ratio(t: [DVec3; 3], normal: DVec3) -> f64 {
-    let [a, b, c] = t;
-    let edges = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
-    let ratio = edges / (4.0 * 3f64.sqrt() * mesh_core::vector_area(t).dot(normal));
-    if (0.0..WORST_SHAPE).contains(&ratio) { ratio } else { WORST_SHAPE }
 }
 
 /// The number of edges that divides the angle round a vertex into steps of 60 degrees.

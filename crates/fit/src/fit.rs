@@ -93,10 +93,14 @@ pub fn fit(
     let first = Placement::new(surface, domain, map);
 
     let mut now = fitter.improve(&first, &guard, &mut pairs)?;
-    if !options.still.is_empty() {
-        now.take_back(domain, &first, &options.still, HALVINGS);
-        guard.hold(&mut now, &first);
+    let retreat = |now: &mut Placement, pairs: &mut Pairs, faces: &[FaceId], round: usize| -> Result<(), FitError> {
+        now.take_back(domain, &first, faces, round);
+        guard.hold(now, &first);
         pairs.follow(&input, &fitter.terrain(&now.mesh(domain)?));
+        Ok(())
+    };
+    if !options.still.is_empty() {
+        retreat(&mut now, &mut pairs, &options.still, HALVINGS)?;
     }
     for round in 0..MOST_RETREATS {
         let mesh = now.mesh(domain)?;
@@ -106,9 +110,7 @@ pub fn fit(
         if bad.is_empty() {
             return fitter.finish(map, now, mesh.clone(), start, truth.errors(&pairs));
         }
-        now.take_back(domain, &first, &bad, round);
-        guard.hold(&mut now, &first);
-        pairs.follow(&input, &fitter.terrain(&now.mesh(domain)?));
+        retreat(&mut now, &mut pairs, &bad, round)?;
     }
     fitter.finish(map, first, domain.clone(), start, start)
 }

@@ -39,7 +39,7 @@ pub use clean::{CleanError, CleanOptions, CleanReport, Cleaned, clean};
 pub use filling::cheapest_filling;
 pub use id::{EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 pub use inspect::{Inspection, inspect};
-pub use measure::{Bounds, angles, area, aspect_ratio, equilateral_edge_length, normal, vector_area};
+pub use measure::{Bounds, angles, area, aspect_ratio, equilateral_edge_length, inverse_mean_ratio, normal, vector_area};
 pub use surface_index::{Closest, Hit, SurfaceIndex};
 pub use surface_point::SurfacePoint;
 pub use topology::{Topology, TopologyError};

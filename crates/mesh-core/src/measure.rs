@@ -28,6 +28,18 @@ pub fn aspect_ratio([a, b, c]: [DVec3; 3]) -> f64 {
     if ph > 0.0 { 6.0 / 3f64.sqrt() * area([a, b, c]) / ph } else { 0.0 }
 }
 
+/// The greatest [`inverse_mean_ratio`], so that one needle does not outweigh all; that of a triangle that faces the other way.
+const WORST_INVERSE_MEAN_RATIO: f64 = 100.0;
+
+/// Inverse mean ratio of a triangle with sides `a`, `b`, `c`: `(a^2 + b^2 + c^2) / (4 sqrt3 A)`, 1 for an equilateral one that faces along
+/// the unit vector `normal`, at most 100; `A` is the area seen along it. What faces the other way has 100.
+pub fn inverse_mean_ratio(triangle: [DVec3; 3], normal: DVec3) -> f64 {
+    let [a, b, c] = triangle;
+    let edges = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
+    let ratio = edges / (4.0 * 3f64.sqrt() * vector_area(triangle).dot(normal));
+    if (0.0..WORST_INVERSE_MEAN_RATIO).contains(&ratio) { ratio } else { WORST_INVERSE_MEAN_RATIO }
+}
+
 /// The interior angles of a triangle in radians, in the order of its corners; 0 beside an edge without length.
 pub fn angles(t: [DVec3; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| {

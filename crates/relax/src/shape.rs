@@ -64,7 +64,10 @@ pub(crate) fn target_areas(
 ) -> Result<IdVec<FaceId, f64>, RelaxError> {
     let faces = domain.topology.n_faces();
     match target {
-        TargetArea::SheetMean => Ok(sheet_means(domain, sheets, start)),
+        TargetArea::SheetMean => {
+            let means = sheet_means(domain, sheets, start);
+            Ok(sheets.iter().map(|s| means[s.index()]).collect())
+        }
         TargetArea::PerFace(areas) if areas.len() == faces && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
             Ok(areas.clone())
         }
@@ -278,16 +281,15 @@ fn outer(a: DVec2, b: DVec2) -> DMat2 {
     DMat2::from_cols(a * b.x, a * b.y)
 }
 
-/// For every face the mean area of the faces of its sheet.
-fn sheet_means(domain: &Domain, sheets: &IdVec<FaceId, SheetId>, placement: &Placement) -> IdVec<FaceId, f64> {
+/// The mean unsigned area of the faces of every sheet.
+pub(crate) fn sheet_means(domain: &Domain, sheets: &IdVec<FaceId, SheetId>, placement: &Placement) -> Vec<f64> {
     let mut sums = vec![(0.0, 0usize); domain.surface.network.n_sheets];
-    let sheet = |f: FaceId| sheets[f].index();
     for f in domain.topology.faces().ids() {
-        let (sum, n) = &mut sums[sheet(f)];
+        let (sum, n) = &mut sums[sheets[f].index()];
         *sum += mesh_core::area(placement.triangle(domain, f));
         *n += 1;
     }
-    domain.topology.faces().ids().map(|f| sums[sheet(f)]).map(|(sum, n)| sum / n as f64).collect()
+    sums.into_iter().map(|(sum, n)| sum / n.max(1) as f64).collect()
 }
 
 /// For every face that can change the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.

@@ -48,8 +48,8 @@ fn snapped(
         shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
     };
     let snap_options = SnapOptions::default();
-    let mut let_go = LetGo::default();
-    for round in 1..=ROUNDS {
+    let (mut let_go, mut round) = (LetGo::default(), 1);
+    loop {
         let snapped = snap::snap(surface, &relaxed.mesh, topology, &relaxed.map, &let_go, &snap_options)?;
         if snapped.is_unchanged() {
             return Ok(None);
@@ -66,6 +66,6 @@ fn snapped(
         }
         let_go.bends.extend(poor.bends);
         let_go.minor.extend(poor.minor);
+        round += 1;
     }
-    Ok(None)
 }

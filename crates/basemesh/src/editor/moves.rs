@@ -3,10 +3,10 @@
 use super::Editor;
 use super::replace::Edit;
 use crate::layout::{are_unfolded, deepest, full_star, half_star};
-use crate::shape::{inverse_mean_ratio, signed_quality};
+use crate::shape::signed_quality;
 use crate::star::{Face, Ring, side_between};
 use glam::{DVec2, DVec3};
-use mesh_core::{SurfacePoint, VertexId};
+use mesh_core::{SurfacePoint, VertexId, inverse_mean_ratio};
 use region_map::{ArcId, ArcSpan, Attachment};
 
 /// Moves shorter than this share of the mean edge of the star are not worth an edit.

@@ -4,10 +4,10 @@ use super::Editor;
 use super::replace::Edit;
 
 use crate::layout::{are_unfolded, full_star, half_star};
-use crate::shape::{inverse_mean_ratio, signed_quality};
+use crate::shape::signed_quality;
 use crate::star::{Face, Ring, side_between};
 use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, VertexId, cheapest_filling, exact};
+use mesh_core::{FaceId, VertexId, cheapest_filling, exact, inverse_mean_ratio};
 use region_map::{ArcSpan, Attachment};
 
 /// How the star of a vertex is filled.

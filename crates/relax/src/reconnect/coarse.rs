@@ -3,7 +3,7 @@
 use super::part::RelaxedPart;
 use crate::domain::{CornerNormal, Domain, Freedom};
 use crate::placement::{Placement, Spot};
-use crate::shape::costs;
+use crate::shape::{costs, sheet_means};
 use crate::{RelaxError, ShapeOptions};
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id as _, IdVec, VertexId};
@@ -119,7 +119,7 @@ impl<'a> Coarse<'a> {
         if faces.is_empty() || !topology.n_faces().is_multiple_of(4) {
             return Err(RelaxError::NotSubdivided);
         }
-        let targets = mean_areas(domain, map, &placement);
+        let targets = sheet_means(domain, &map.sheet_of_face, &placement);
         let target_of_part = map.sheet_of_face.iter().map(|s| targets[s.index()]).collect();
         let costs = costs(domain, &placement, &target_of_part, options).chunks(4).map(|parts| parts.iter().sum()).collect();
         Ok(Self { domain, faces, stars, spots: placement.0, freedoms: domain.freedoms.clone(), costs, targets })
@@ -231,15 +231,4 @@ impl<'a> Coarse<'a> {
         corners.dedup();
         self.around(&corners, rings - 1)
     }
-}
-
-/// The mean area of the parts of the faces of every sheet.
-fn mean_areas(domain: &Domain, map: &RegionMap, placement: &Placement) -> Vec<f64> {
-    let mut sums = vec![(0.0, 0usize); domain.surface.network.n_sheets];
-    for (f, sheet) in map.sheet_of_face.enumerate() {
-        let (sum, n) = &mut sums[sheet.0 as usize];
-        *sum += mesh_core::area(placement.triangle(domain, f));
-        *n += 1;
-    }
-    sums.into_iter().map(|(sum, n)| sum / n.max(1) as f64).collect()
 }

@@ -5,9 +5,6 @@ use crate::domain::{CornerNormal, Freedom, Rail, RailEnd};
 use mesh_core::{VertexId, cheapest_filling};
 use region_map::{BaseEdit, SheetId};
 
-/// Inverse mean ratio of a triangle that faces against the surface.
-const FOLDED: f64 = 100.0;
-
 /// What taking `v` away does. `None` for a corner, and where no filling makes a simplicial mesh.
 pub(super) fn removal(coarse: &Coarse, v: VertexId) -> Option<Change> {
     let mut change = Change {
@@ -135,11 +132,8 @@ impl Side {
 
     /// By the places that the base vertices have now.
     fn inverse_mean_ratio(&self, coarse: &Coarse, v: VertexId, t: [usize; 3]) -> f64 {
-        let [a, b, c] = t.map(|i| coarse.spots[self.corners[i].0].position);
         let normal = coarse.spots[v].normals[usize::from(matches!(self.normal, CornerNormal::Right))];
-        let area = mesh_core::vector_area([a, b, c]).dot(normal);
-        let ratio = (a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a)) / (4.0 * 3f64.sqrt() * area);
-        if (0.0..FOLDED).contains(&ratio) { ratio } else { FOLDED }
+        mesh_core::inverse_mean_ratio(t.map(|i| coarse.spots[self.corners[i].0].position), normal)
     }
 }
 
