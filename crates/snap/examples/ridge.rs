@@ -24,7 +24,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
 
     let map = RegionMap::identity(&topology, &network);
-    let options = SnapOptions { least_kept: 0.0, ..SnapOptions::default() };
+    // The domain is the surface and misses nothing.
+    let options = SnapOptions { least_depth: 0.0, ..SnapOptions::default() };
     let snapped = snap(&surface, &mesh, &topology, &map, &LetGo::default(), &options)?;
     for (edges, path) in &snapped.tracks {
         println!("a crease of {} edges is followed by {} vertices of the domain", edges.len(), path.len());

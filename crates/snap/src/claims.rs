@@ -8,6 +8,9 @@ use mesh_core::{HalfedgeId, IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, RegionMap, SheetId, Surface};
 use std::collections::BTreeMap;
 
+/// So many vertices are asked how far the domain is, about.
+const DEPTH_SAMPLES: usize = 2_000;
+
 /// A piece of a minor crease with the domain vertices that shall lie on it, ends included.
 #[derive(Clone, Debug)]
 pub(crate) struct Track {
@@ -23,6 +26,7 @@ pub(crate) struct Claims<'a> {
     pub(crate) map: &'a RegionMap,
     index: SurfaceIndex,
     edge_length: f64,
+    typical_depth: f64,
     at_corner: IdVec<CornerId, Option<VertexId>>,
     /// The edges on each arc.
     edges_on: IdVec<ArcId, Vec<[VertexId; 2]>>,
@@ -50,12 +54,14 @@ impl<'a> Claims<'a> {
             domain.distance(a, b)
         };
         let edge_length = topology.edge_ids().map(length).sum::<f64>() / topology.n_edges().max(1) as f64;
+        let index = SurfaceIndex::new(domain);
         Self {
             surface,
             domain,
             topology,
             map,
-            index: SurfaceIndex::new(domain),
+            typical_depth: typical_depth(surface.mesh, &index),
+            index,
             edge_length,
             at_corner,
             edges_on,
@@ -69,6 +75,12 @@ impl<'a> Claims<'a> {
     /// Mean edge length of the domain.
     pub(crate) fn edge_length(&self) -> f64 {
         self.edge_length
+    }
+
+    /// How much farther a piece of a minor crease lies from the domain, in the mean, than the surface does elsewhere.
+    pub(crate) fn depth(&self, piece: &Piece) -> f64 {
+        let depths = piece.vertices.iter().map(|&v| depth(self.surface.mesh, v, &self.index));
+        depths.sum::<f64>() / piece.vertices.len() as f64 / self.typical_depth.max(f64::MIN_POSITIVE)
     }
 
     /// Is a domain vertex inside this sheet, and nobody's?
@@ -157,4 +169,17 @@ impl<'a> Claims<'a> {
     pub(crate) fn spokes(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
         self.topology.fan(v)
     }
+}
+
+/// How far a vertex of the working mesh lies from the domain.
+fn depth(mesh: &TriMesh, v: VertexId, domain: &SurfaceIndex) -> f64 {
+    domain.closest(mesh.position(v)).map_or(0.0, |closest| closest.distance)
+}
+
+/// The median depth, of some vertices spread over the working mesh.
+fn typical_depth(mesh: &TriMesh, domain: &SurfaceIndex) -> f64 {
+    let step = mesh.n_vertices().div_ceil(DEPTH_SAMPLES).max(1);
+    let mut depths: Vec<f64> = mesh.positions().ids().step_by(step).map(|v| depth(mesh, v, domain)).collect();
+    depths.sort_by(f64::total_cmp);
+    depths.get(depths.len() / 2).copied().unwrap_or(0.0)
 }

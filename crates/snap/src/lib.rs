@@ -23,7 +23,7 @@
 //! let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
 //! let map = RegionMap::identity(&topology, &network);
 //!
-//! let options = SnapOptions { least_kept: 0.0, ..SnapOptions::default() };
+//! let options = SnapOptions { least_depth: 0.0, ..SnapOptions::default() }; // the domain is the surface and misses nothing
 //! let snapped = snap(&surface, &mesh, &topology, &map, &LetGo::default(), &options)?;
 //! assert_eq!(snapped.network.arcs.len(), network.arcs.len() + 1);
 //! assert_eq!(snapped.tracks[0].1, (22..27).map(VertexId).collect::<Vec<_>>());

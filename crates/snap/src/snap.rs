@@ -44,7 +44,7 @@ pub struct Snapped {
 ///
 /// A bend takes the nearer end of the edge that cuts it off. A minor crease takes a path of edges inside its sheet, one for each
 /// piece between its ends, sharp turns and meetings with arcs. The vertices around are dragged along. What turns too much for the
-/// edges, and what finds no path, is left as it was; so is what is in `let_go`.
+/// edges, what the domain hardly misses, and what finds no path, is left as it was; so is what is in `let_go`.
 ///
 /// The map of the result fits its network (`RegionMap::check`). The caller has to relax it there, and may ask [`Snapped::poor`]
 /// what was not worth it.
@@ -59,25 +59,20 @@ pub fn snap(
     map.check(topology, surface.network)?;
     let mut claims = Claims::new(surface, domain, topology, map);
     let (mut taken, mut tracks) = (Vec::new(), Vec::new());
-    if keeps_its_creases(surface, options.least_kept) {
-        for _ in 0..BEND_ROUNDS {
-            for bend in bends(surface, &claims.spans, options).into_iter().filter(|v| !let_go.bends.contains(v)) {
-                taken.extend(claims.pin_on_arc(bend).map(|v| (bend, v)));
-            }
+    for _ in 0..BEND_ROUNDS {
+        for bend in bends(surface, &claims.spans, options).into_iter().filter(|v| !let_go.bends.contains(v)) {
+            taken.extend(claims.pin_on_arc(bend).map(|v| (bend, v)));
         }
-        let chains = surface.network.minor.iter();
-        for piece in chains.flat_map(|chain| pieces(surface, chain, claims.edge_length(), let_go, options)).collect::<Vec<_>>() {
+    }
+    let chains = surface.network.minor.iter();
+    let pieces: Vec<_> = chains.flat_map(|chain| pieces(surface, chain, claims.edge_length(), let_go, options)).collect();
+    for piece in pieces {
+        if claims.depth(&piece) >= options.least_depth {
             tracks.extend(claims.follow(&piece).map(|path| (piece.edges, path)));
         }
     }
     let (network, normals, mesh, map) = retarget(&claims)?;
     Ok(Snapped { network, normals, mesh, map, bends: taken, tracks })
-}
-
-/// Does the network keep this share of the length of all creases? Where there are none it does.
-fn keeps_its_creases(surface: &Surface, share: f64) -> bool {
-    let [kept, left] = surface.network.crease_lengths(surface.mesh);
-    kept >= share * (kept + left)
 }
 
 impl Snapped {
