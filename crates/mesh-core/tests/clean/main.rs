@@ -176,8 +176,30 @@ fn cracks_close_within_the_tolerance() {
         *p += 1e-5 * DVec3::new((i as f64).sin(), (2.0 * i as f64).sin(), (3.0 * i as f64).sin());
     }
     assert_eq!(n_components(&cleaned(&cube)), 6);
-    let closed = clean(&cube, &CleanOptions { weld_tolerance: Some(1e-4) }).unwrap();
+    let closed = clean(&cube, &CleanOptions { weld_tolerance: 1e-4 }).unwrap();
     assert_eq!((closed.mesh.n_vertices(), closed.report.merged_by_tolerance, n_loops(&closed)), (8, 16, 0));
+}
+
+#[test]
+fn cracks_of_rounding_are_closed() {
+    let mut cube = voxels(&[[0, 0, 0]], false);
+    for (i, p) in cube.positions.iter_mut().enumerate() {
+        *p = (*p / 3.0 + 1e-8 * (i as f64).sin()).as_vec3().as_dvec3();
+    }
+    let closed = clean(&cube, &CleanOptions::default()).unwrap();
+    assert_eq!((closed.mesh.n_vertices(), n_loops(&closed)), (8, 0));
+    assert_eq!(closed.report.merged_exactly + closed.report.merged_by_tolerance, 16);
+    let open = clean(&cube, &CleanOptions { weld_tolerance: 0.0 }).unwrap();
+    assert!(n_loops(&open) > 0);
+}
+
+#[test]
+fn what_is_no_border_is_not_merged() {
+    // Two corners of a closed tetrahedron are as near as rounding.
+    let mut positions = CORNERS;
+    positions[1] = [1e-8, 0.0, 0.0];
+    let closed = cleaned(&soup(&positions, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]));
+    assert_eq!((closed.mesh.n_vertices(), closed.report.merged_by_tolerance), (4, 0));
 }
 
 #[test]
@@ -367,7 +389,7 @@ proptest! {
 
     #[test]
     fn with_any_tolerance_too(soup in any_soup(), share in prop_oneof![Just(0.0), Just(1e-300), Just(1e-18), Just(1e-15), Just(f64::NAN), 0.0..2.0]) {
-        if let Ok(cleaned) = clean(&soup, &CleanOptions { weld_tolerance: Some(share) }) {
+        if let Ok(cleaned) = clean(&soup, &CleanOptions { weld_tolerance: share }) {
             prop_assert!(cleaned.mesh.n_faces() > 0);
         }
     }
