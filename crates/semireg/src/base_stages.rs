@@ -8,7 +8,6 @@ use crate::{Error, Options, StageSeconds};
 use basemesh::BaseOptions;
 use features::FeatureOptions;
 use mesh_core::{Cleaned, equilateral_edge_length};
-use rayon::prelude::*;
 use refine::Refined;
 use region_map::{BaseCounts, BaseMesh, Network, SheetNormals, Surface};
 use sizing::SizingOptions;
@@ -71,29 +70,32 @@ pub(crate) fn base_stages(
     let base_options = BaseOptions { base_vertices: wanted, ..Default::default() };
     let mut times = [StageSeconds::default(), StageSeconds::default()];
     let [of_patches, of_decimation] = &mut times;
-    let (patches, decimated) = rayon::join(
-        || patches(&surface, &sizing, wanted, options.seed, of_patches),
-        || of_decimation.time("decimate", || basemesh::decimate(&surface, &sizing, &base_options)),
-    );
-    times.iter().for_each(|t| seconds.add(t));
-    let (patches, failure) = match patches {
-        Ok(patches) => (Some(Arc::new(patches)), None),
-        Err(e) => (None, Some(e)),
-    };
-    let of_patches = patches.iter().map(|p| (Way::Patches, p.base.clone()));
-    let bases: Vec<_> = decimated.map(|base| (Way::Decimation, base)).into_iter().chain(of_patches).collect();
-    // The history of edits distorts the map; where edges cannot be traced it still is one.
-    let retraced = |(way, base): (Way, BaseMesh)| (way, trace_base::retrace(&surface, &base).unwrap_or(base));
-    let bases: Vec<_> = seconds.time("retrace", || bases.into_par_iter().map(retraced).collect());
-    let searched = |(way, base): (Way, BaseMesh)| {
-        let (rating, base) = searched(&surface, &sizing, base, asked, options);
+    let finished = |way: Way, base: BaseMesh, seconds: &mut StageSeconds| {
+        // The history of edits distorts the map; where edges cannot be traced it still is one.
+        let base = seconds.time("retrace", || trace_base::retrace(&surface, &base)).unwrap_or(base);
+        let (rating, base) = seconds.time("search", || searched(&surface, &sizing, base, asked, options));
         (rating, way, base)
     };
-    let mut rated: Vec<_> = seconds.time("search", || bases.into_par_iter().map(searched).collect());
+    // Neither way waits for the other before it has its rating.
+    let (by_patches, decimated) = rayon::join(
+        || {
+            let patches = patches(&surface, &sizing, wanted, options.seed, of_patches)?;
+            let rated = finished(Way::Patches, patches.base.clone(), of_patches);
+            Ok((Arc::new(patches), rated))
+        },
+        || {
+            let base = of_decimation.time("decimate", || basemesh::decimate(&surface, &sizing, &base_options)).ok()?;
+            Some(finished(Way::Decimation, base, of_decimation))
+        },
+    );
+    times.iter().for_each(|t| seconds.add(t));
+    let (patches, of_patches) = match by_patches {
+        Ok((patches, rated)) => (Some(patches), Some(rated)),
+        Err(e) if decimated.is_none() => return Err(e),
+        Err(_) => (None, None),
+    };
+    let mut rated: Vec<_> = decimated.into_iter().chain(of_patches).collect();
     rated.sort_by(|a, b| b.0.total_cmp(&a.0));
-    if let (true, Some(e)) = (rated.is_empty(), failure) {
-        return Err(e);
-    }
     let stages = |(_, way, mut base): (f64, Way, BaseMesh)| {
         base.counts = counts(&base, asked, patches.as_deref(), &network, rung);
         let warnings = patches
