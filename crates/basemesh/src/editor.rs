@@ -14,7 +14,7 @@ use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 use rayon::prelude::*;
 use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, Sizing, Surface};
-pub(crate) use removal::{Filling, Removal};
+pub(crate) use removal::{Filling, Hole, Removal};
 use replace::Edit;
 use rustc_hash::FxHashMap;
 use samples::{Placed, Samples};
@@ -127,9 +127,13 @@ impl<'a> Editor<'a> {
     pub(crate) fn surface_length(&self, a: VertexId, b: VertexId) -> f64 {
         self.lengths.get(&[a.min(b), a.max(b)]).copied().unwrap_or_else(|| self.measured_length(a, b))
     }
-    /// All edges with their lengths on the surface, which are kept.
-    pub(crate) fn edges_with_lengths(&mut self) -> Vec<([VertexId; 2], f64)> {
-        let edges = self.edges();
+    /// Bounds of the length of an edge on the surface. They take no time, and neither does the length itself on an arc.
+    pub(crate) fn length_bounds(&self, a: VertexId, b: VertexId) -> [f64; 2] {
+        let chord = self.positions[a].distance(self.positions[b]);
+        if self.span(a, b).is_some() { [0.0, f64::INFINITY] } else { [chord, LONGEST_DETOUR * chord] }
+    }
+    /// Edges with their lengths on the surface, which are kept.
+    pub(crate) fn with_lengths(&mut self, edges: Vec<[VertexId; 2]>) -> Vec<([VertexId; 2], f64)> {
         let lengths: Vec<_> = edges.into_par_iter().map(|[a, b]| ([a, b], self.surface_length(a, b))).collect();
         self.lengths.extend(lengths.iter().copied());
         lengths
@@ -168,7 +172,9 @@ impl<'a> Editor<'a> {
     }
     /// The part of an arc that an edge lies on.
     pub(crate) fn span(&self, a: VertexId, b: VertexId) -> Option<ArcSpan> {
-        self.region.span(a, b)
+        // Most edges have an end inside a sheet, and need not be looked for.
+        let is_inside = |v: VertexId| matches!(self.attachment(v), Attachment::Sheet(_));
+        if is_inside(a) || is_inside(b) { None } else { self.region.span(a, b) }
     }
     /// The faces at a vertex.
     pub(crate) fn faces_at(&self, v: VertexId) -> impl Iterator<Item = Face> + '_ {

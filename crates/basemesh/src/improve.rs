@@ -5,13 +5,14 @@
 //! mesh (rows of vertices along smooth arcs, thin patches without an inner vertex) is gone after a few rounds. Then single splits and
 //! collapses meet the wanted number of vertices.
 
-use crate::editor::{Editor, Filling, Removal};
+use crate::editor::{Editor, Filling, Hole, Removal};
 use crate::flips::{flip_edges, settle};
 use crate::mend::mend_ears;
 use crate::shape::is_folded;
 use crate::{BaseError, BaseOptions};
 use mesh_core::{VertexId, equilateral_edge_length};
 use region_map::{BaseCounts, BaseMesh, Sizing, Surface};
+use std::ops::Range;
 
 /// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
 /// neither makes work for the other).
@@ -70,7 +71,7 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
         }
         collapse_folded(editor);
     }
-    let mut best = (usize::MAX, editor.clone());
+    let mut best: Option<(usize, Editor<'_>)> = None;
     let longest_wanted = MOST_STRETCHED * length;
     for _ in 0..options.rounds {
         split_long(editor, sizing, LONG * length);
@@ -82,11 +83,13 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
         // Where the wanted edges are too long for the shape, folds breed folds: then what was before is better.
         let folded = n_folded(editor);
         let cost = FOLD_WORTH * folded + editor.n_vertices().abs_diff(options.base_vertices);
-        if cost <= best.0 {
-            best = (cost, editor.clone());
+        if best.as_ref().is_none_or(|(least, _)| cost <= *least) {
+            best = Some((cost, editor.clone()));
         }
     }
-    *editor = best.1;
+    if let Some((_, best)) = best {
+        *editor = best;
+    }
     mend_ears(editor);
     flip_edges(editor);
     meet_count(editor, sizing, options.base_vertices);
@@ -94,17 +97,22 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
     flip_edges(editor);
 }
 
-/// Edges with their lengths over what the sizing field says, the longest first.
-fn by_length(editor: &mut Editor<'_>, sizing: &Sizing) -> Vec<(f64, [VertexId; 2])> {
-    let lengths = editor.edges_with_lengths();
-    let wanted = |[a, b]: [VertexId; 2]| 0.5 * (editor.size(sizing, a) + editor.size(sizing, b));
-    let mut edges: Vec<_> = lengths.into_iter().map(|(e, length)| (length / wanted(e), e)).collect();
+/// Edges with their lengths over what the sizing field says, the longest first: at least those with one in `range`.
+fn by_length(editor: &mut Editor<'_>, sizing: &Sizing, range: Range<f64>) -> Vec<(f64, [VertexId; 2])> {
+    let wanted = |editor: &Editor<'_>, [a, b]: [VertexId; 2]| 0.5 * (editor.size(sizing, a) + editor.size(sizing, b));
+    let mut edges = editor.edges();
+    edges.retain(|&[a, b]| {
+        let ([least, most], wanted) = (editor.length_bounds(a, b), wanted(editor, [a, b]));
+        least <= range.end * wanted && most >= range.start * wanted
+    });
+    let lengths = editor.with_lengths(edges);
+    let mut edges: Vec<_> = lengths.into_iter().map(|(e, length)| (length / wanted(editor, e), e)).collect();
     edges.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     edges
 }
 
 fn split_long(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64) {
-    for (length, [a, b]) in by_length(editor, sizing) {
+    for (length, [a, b]) in by_length(editor, sizing, limit..f64::INFINITY) {
         if length > limit && editor.is_edge(a, b) {
             editor.split(a, b);
         }
@@ -112,7 +120,7 @@ fn split_long(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64) {
 }
 
 fn collapse_short(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64, longest: f64) {
-    for (length, [a, b]) in by_length(editor, sizing).into_iter().rev() {
+    for (length, [a, b]) in by_length(editor, sizing, 0.0..limit).into_iter().rev() {
         if length < limit && editor.is_edge(a, b) {
             collapse_edge(editor, a, b, longest * editor.size(sizing, a).min(editor.size(sizing, b)));
         }
@@ -126,7 +134,8 @@ fn collapse_folded(editor: &mut Editor<'_>) {
         if !editor.is_face(face) || !is_folded(editor, face) {
             continue;
         }
-        let ways = face.map(|v| (v, Filling::Cheapest));
+        let holes = face.map(|v| editor.hole(v));
+        let ways: Vec<_> = holes.iter().flatten().map(|hole| (hole, Filling::Cheapest)).collect();
         take_best(editor, &ways, |removal| removal.quality > 0.0);
     }
     flip_edges(editor);
@@ -138,15 +147,18 @@ fn n_folded(editor: &Editor<'_>) -> usize {
 
 /// Takes one end of an edge away, if the triangles then are good enough and no edge is longer than `longest`.
 fn collapse_edge(editor: &mut Editor<'_>, a: VertexId, b: VertexId, longest: f64) -> bool {
-    let is_good = |r: &Removal| r.longest <= longest && r.quality >= LEAST_QUALITY.min(r.quality_before);
-    take_best(editor, &[(a, Filling::Fan(b)), (b, Filling::Fan(a))], is_good)
-        || take_best(editor, &[(a, Filling::Cheapest), (b, Filling::Cheapest)], is_good)
+    let is_good = |r: &Removal<'_>| r.longest <= longest && r.quality >= LEAST_QUALITY.min(r.hole.quality);
+    let holes: Vec<_> = [(a, b), (b, a)].into_iter().filter_map(|(v, into)| Some((editor.hole(v)?, into))).collect();
+    let holes: Vec<_> = holes.iter().filter(|(hole, _)| hole.longest <= longest).collect();
+    let fans: Vec<_> = holes.iter().map(|(hole, into)| (hole, Filling::Fan(*into))).collect();
+    let cheapest: Vec<_> = holes.iter().map(|(hole, _)| (hole, Filling::Cheapest)).collect();
+    take_best(editor, &fans, is_good) || take_best(editor, &cheapest, is_good)
 }
 
 /// Takes a vertex away in that one of some ways that leaves the best triangles, if it may be. False when none could be taken.
-fn take_best(editor: &mut Editor<'_>, ways: &[(VertexId, Filling<'_>)], may_be: impl Fn(&Removal) -> bool) -> bool {
-    let removals = ways.iter().filter_map(|&(v, filling)| editor.removal(v, filling));
-    let mut removals: Vec<Removal> = removals.filter(may_be).collect();
+fn take_best(editor: &mut Editor<'_>, ways: &[(&Hole, Filling<'_>)], may_be: impl Fn(&Removal<'_>) -> bool) -> bool {
+    let removals = ways.iter().filter_map(|&(hole, filling)| editor.removal(hole, filling));
+    let mut removals: Vec<Removal<'_>> = removals.filter(may_be).collect();
     removals.sort_by(|a, b| b.quality.total_cmp(&a.quality));
     removals.iter().any(|removal| editor.take_away(removal))
 }
@@ -156,13 +168,13 @@ fn meet_count(editor: &mut Editor<'_>, sizing: &Sizing, wanted: usize) {
     while editor.n_vertices() != wanted {
         let before = editor.n_vertices();
         if before < wanted {
-            for (_, [a, b]) in by_length(editor, sizing).into_iter().take((wanted - before).div_ceil(2)) {
+            for (_, [a, b]) in by_length(editor, sizing, 0.0..f64::INFINITY).into_iter().take((wanted - before).div_ceil(2)) {
                 if editor.is_edge(a, b) && editor.n_vertices() < wanted {
                     editor.split(a, b);
                 }
             }
         } else {
-            for (_, [a, b]) in by_length(editor, sizing).into_iter().rev() {
+            for (_, [a, b]) in by_length(editor, sizing, 0.0..f64::INFINITY).into_iter().rev() {
                 if editor.is_edge(a, b) && editor.n_vertices() > wanted {
                     collapse_edge(editor, a, b, f64::INFINITY);
                 }

@@ -23,26 +23,19 @@ pub(crate) fn quad([a, b, c, d]: [DVec3; 4]) -> [DVec2; 4] {
     if convex { unfolded } else { [-DVec2::X, DVec2::X, DVec2::Y, -DVec2::Y] }
 }
 
-/// The one-ring of an inner vertex at the origin: places of its neighbours, counter-clockwise.
-pub(crate) fn full_star(centre: DVec3, ring: &[DVec3], is_valid: impl Fn(&[DVec2]) -> bool) -> Vec<DVec2> {
+/// The one-ring of an inner vertex at the origin: places of its neighbours, counter-clockwise, by lengths and on a circle.
+pub(crate) fn full_star(centre: DVec3, ring: &[DVec3]) -> [Vec<DVec2>; 2] {
     let angles = share_out(centre, ring, true, TAU);
     let mean = ring.iter().map(|r| r.distance(centre)).sum::<f64>() / ring.len() as f64;
     let place = |radius: fn(f64) -> f64| -> Vec<DVec2> {
         ring.iter().zip(&angles).map(|(r, &a)| radius(r.distance(centre) / mean) * DVec2::from_angle(a)).collect()
     };
-    let lengths = place(|r| r.clamp(0.1, 10.0));
-    if is_valid(&lengths) { lengths } else { place(|_| 1.0) }
+    [place(|r| r.clamp(0.1, 10.0)), place(|_| 1.0)]
 }
 
 /// One side of a vertex on an arc: the vertex at the origin, the first of the ring `ahead` on the axis, the last one `behind` on
-/// the other side, the rest above.
-pub(crate) fn half_star(
-    centre: DVec3,
-    ring: &[DVec3],
-    ahead: f64,
-    behind: f64,
-    is_valid: impl Fn(&[DVec2]) -> bool,
-) -> Vec<DVec2> {
+/// the other side, the rest above, by lengths and on a circle.
+pub(crate) fn half_star(centre: DVec3, ring: &[DVec3], ahead: f64, behind: f64) -> [Vec<DVec2>; 2] {
     let angles = share_out(centre, ring, false, PI);
     let last = ring.len() - 1;
     let scale = 1.0 / (ahead + behind);
@@ -61,11 +54,8 @@ pub(crate) fn half_star(
             .collect()
     };
     let lengths = with_ends(&|i| (ring[i].distance(centre) * scale).clamp(0.02, 50.0) * DVec2::from_angle(angles[i]));
-    if is_valid(&lengths) {
-        return lengths;
-    }
     let middle = first.midpoint(end);
-    with_ends(&|i| middle + 0.5 * DVec2::from_angle(PI * i as f64 / last as f64))
+    [lengths, with_ends(&|i| middle + 0.5 * DVec2::from_angle(PI * i as f64 / last as f64))]
 }
 
 /// Directions of the ring around `centre`, their angles scaled to `total`. Even steps where an angle would be too flat to lay out.

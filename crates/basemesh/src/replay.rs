@@ -24,7 +24,8 @@ impl<'a> Replay<'a> {
             BaseEdit::Flip([a, b]) => editor.flip(*a, *b),
             BaseEdit::Split([a, b]) => editor.split(*a, *b).is_some(),
             BaseEdit::Remove { vertex, filling } => {
-                let removal = editor.removal(*vertex, Filling::Given(filling));
+                let hole = editor.hole(*vertex);
+                let removal = hole.as_ref().and_then(|hole| editor.removal(hole, Filling::Given(filling)));
                 removal.is_some_and(|removal| editor.take_away(&removal))
             }
         }

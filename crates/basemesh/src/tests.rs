@@ -65,6 +65,12 @@ fn a_box_of_twelve_triangles_needs_eight_vertices() {
     assert_eq!((base.mesh.n_vertices(), base.mesh.n_faces()), (8, 12));
 }
 
+fn take_away(editor: &mut Editor<'_>, v: VertexId, filling: Filling<'_>) -> bool {
+    let hole = editor.hole(v);
+    let removal = hole.as_ref().and_then(|hole| editor.removal(hole, filling));
+    removal.is_some_and(|removal| editor.take_away(&removal))
+}
+
 /// Makes edits that bytes choose: which edge, and what to do with it.
 fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usize) {
     let surface = shape.surface();
@@ -76,8 +82,8 @@ fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usiz
         done += usize::from(match what % 7 {
             0 => editor.flip(a, b),
             1 => editor.split(a, b).is_some(),
-            2 => editor.removal(a, Filling::Fan(b)).is_some_and(|removal| editor.take_away(&removal)),
-            3 => editor.removal(a, Filling::Cheapest).is_some_and(|removal| editor.take_away(&removal)),
+            2 => take_away(&mut editor, a, Filling::Fan(b)),
+            3 => take_away(&mut editor, a, Filling::Cheapest),
             4 => editor.faces_beside(a, b)[0].is_some_and(|(f, _)| editor.split_face(f.vertices).is_some()),
             5 => editor.slide_vertex(a),
             _ => editor.relax_vertex(a),
@@ -121,9 +127,8 @@ fn edits_chosen_elsewhere_are_replayed() {
             flips += usize::from(flip);
         }
         for v in editor.vertices().into_iter().step_by(9) {
-            let Some(removal) = editor.removal(v, Filling::Cheapest) else { continue };
             let old = editor.faces();
-            if editor.take_away(&removal) {
+            if take_away(&mut editor, v, Filling::Cheapest) {
                 let filling = editor.faces().into_iter().filter(|f| !old.contains(f)).collect();
                 assert!(replay.edit(&BaseEdit::Remove { vertex: v, filling }));
                 removals += 1;

@@ -7,7 +7,9 @@
 
 use glam::{DMat3, DVec2, DVec3};
 use mesh_core::exact::orient2d;
-use mesh_core::{FaceId, IdVec, SurfaceIndex, SurfacePoint, TriMesh, define_id};
+use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, SurfacePoint, TriMesh, define_id};
+use std::ops::Range;
+use std::sync::Arc;
 
 define_id! {
     /// A chart: one for every patch.
@@ -124,22 +126,25 @@ enum Origin {
     Edit(usize),
 }
 
-/// A flat polygon, triangulated in two ways.
+/// A flat polygon, triangulated in two ways: the faces that go, by their places in [`BaseMap::replaced`], and those that come.
 #[derive(Clone, Debug)]
 struct Edit {
-    old: Vec<(MapFaceId, [DVec2; 3])>,
-    new: Vec<MapFaceId>,
+    old: Range<usize>,
+    new: Range<usize>,
 }
 
 /// The bijection between base faces and working mesh.
 #[derive(Clone, Debug)]
 pub struct BaseMap {
-    charts: IdVec<ChartId, Chart>,
+    /// No edit changes them, and they are many where every working face has its own: copies of the map share them.
+    charts: Arc<IdVec<ChartId, Chart>>,
     /// The charts with pieces of a working face, in rising order. A face that base edges cross is in several.
     by_source: Vec<(FaceId, ChartId)>,
     roots: IdVec<ChartId, Vec<MapFaceId>>,
     faces: IdVec<MapFaceId, MapFace>,
     edits: Vec<Edit>,
+    /// The faces that edits took away, in the layout of the edit.
+    replaced: Vec<(MapFaceId, [DVec2; 3])>,
 }
 
 impl BaseMap {
@@ -154,7 +159,7 @@ impl BaseMap {
         for &(chart, layout) in base {
             roots[chart].push(faces.push(MapFace { origin: Origin::Chart(chart), layout, replaced_by: None }));
         }
-        Self { charts, by_source, roots, faces, edits: Vec::new() }
+        Self { charts: Arc::new(charts), by_source, roots, faces, edits: Vec::new(), replaced: Vec::new() }
     }
 
     /// The charts.
@@ -185,7 +190,9 @@ impl BaseMap {
         }
         let origin = Origin::Edit(edit);
         let made: Vec<_> = new.iter().map(|&layout| self.faces.push(MapFace { origin, layout, replaced_by: None })).collect();
-        self.edits.push(Edit { old: old.to_vec(), new: made.clone() });
+        let (first_old, first_new) = (self.replaced.len(), self.faces.len() - made.len());
+        self.replaced.extend_from_slice(old);
+        self.edits.push(Edit { old: first_old..self.replaced.len(), new: first_new..self.faces.len() });
         Ok(made)
     }
 
@@ -197,7 +204,7 @@ impl BaseMap {
             match *origin {
                 Origin::Chart(chart) => return self.charts[chart].locate(p),
                 Origin::Edit(edit) => {
-                    (face, barycentric) = containing(self.edits[edit].old.iter().map(|(f, t)| (*f, t)), p, face)
+                    (face, barycentric) = containing(self.old_faces(edit).iter().map(|(f, t)| (*f, t)), p, face)
                 }
             }
         }
@@ -213,12 +220,17 @@ impl BaseMap {
         let first = *self.roots[chart].first()?;
         let (mut face, mut barycentric) = containing(self.roots[chart].iter().map(|&f| (f, &self.faces[f].layout)), p, first);
         while let Some(edit) = self.faces[face].replaced_by {
-            let Edit { old, new } = &self.edits[edit];
-            let layout = &old.iter().find(|(f, _)| *f == face)?.1;
+            let layout = &self.old_faces(edit).iter().find(|(f, _)| *f == face)?.1;
             let p = at(layout, barycentric);
-            (face, barycentric) = containing(new.iter().map(|&f| (f, &self.faces[f].layout)), p, face);
+            let new = self.edits[edit].new.clone().map(MapFaceId::new);
+            (face, barycentric) = containing(new.map(|f| (f, &self.faces[f].layout)), p, face);
         }
         Some((face, barycentric))
+    }
+
+    /// The faces that an edit took away, in its layout.
+    fn old_faces(&self, edit: usize) -> &[(MapFaceId, [DVec2; 3])] {
+        &self.replaced[self.edits[edit].old.clone()]
     }
 }
 

@@ -36,7 +36,8 @@ impl Editor<'_> {
         let n = ring.vertices.len();
         let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.positions[w]).collect();
         let star = |p: &[DVec2], at: DVec2| -> Vec<[DVec2; 3]> { (0..n).map(|i| [at, p[i], p[(i + 1) % n]]).collect() };
-        let flat = full_star(self.positions[v], &positions, |p| are_unfolded(&star(p, DVec2::ZERO)));
+        let [lengths, circle] = full_star(self.positions[v], &positions);
+        let flat = if are_unfolded(&star(&lengths, DVec2::ZERO)) { lengths } else { circle };
         let centroid = flat.iter().sum::<DVec2>() / n as f64;
         let (old_star, new_star) = (star(&flat, DVec2::ZERO), star(&flat, centroid));
         if !are_unfolded(&new_star) || centroid.length() < LEAST_MOVE {
@@ -116,10 +117,7 @@ impl Editor<'_> {
         let to = DVec2::X * slide * ahead.signum() / (ahead.abs() + behind.abs());
         let spokes = |p: &[DVec2], at: DVec2| -> Vec<[DVec2; 3]> { p.windows(2).map(|w| [at, w[0], w[1]]).collect() };
         let valid = |p: &[DVec2]| are_unfolded(&spokes(p, DVec2::ZERO)) && are_unfolded(&spokes(p, to));
-        let flat = half_star(self.positions[v], &positions, ahead.abs(), behind.abs(), valid);
-        if !valid(&flat) {
-            return None;
-        }
+        let flat = half_star(self.positions[v], &positions, ahead.abs(), behind.abs()).into_iter().find(|p| valid(p))?;
         let corners = side.vertices.windows(2).map(|w| [v, w[0], w[1]]);
         let old = side.faces.iter().zip(corners.clone()).zip(spokes(&flat, DVec2::ZERO)).map(|((&f, c), p)| (f, c, p));
         Some(Edit { old: old.collect(), new: corners.zip(spokes(&flat, to)).collect() })

@@ -2,7 +2,6 @@
 
 use super::Editor;
 use super::replace::Edit;
-
 use crate::layout::{are_unfolded, full_star, half_star};
 use crate::shape::signed_quality;
 use crate::star::{Face, Ring, side_between};
@@ -21,45 +20,102 @@ pub(crate) enum Filling<'t> {
     Given(&'t [[VertexId; 3]]),
 }
 
-/// What taking a vertex away would leave.
-pub(crate) struct Removal {
+/// What taking a vertex away would leave to be filled.
+pub(crate) struct Hole {
     vertex: VertexId,
-    edits: Vec<Edit>,
+    /// One for a vertex in a sheet, on an arc one on each side of it.
+    sides: Vec<Side>,
     /// For a vertex on an arc its neighbours there, and the span between them then.
     joined: Option<([VertexId; 2], ArcSpan)>,
+    /// Least quality (AR) of the triangles there are now, negative with one that faces against the surface.
+    pub(crate) quality: f64,
+    /// Longest edge of the rim.
+    pub(crate) longest: f64,
+}
+
+/// A polygon to be filled.
+struct Side {
+    ring: Ring,
+    positions: Vec<DVec3>,
+    /// Where the vertex is.
+    centre: DVec3,
+    /// On an arc the arc lengths from the vertex to the first and the last of the ring.
+    along: Option<[f64; 2]>,
+    /// The mean normal of its triangles now.
+    normal: DVec3,
+}
+
+/// A way to take a vertex away.
+pub(crate) struct Removal<'h> {
+    /// What it fills.
+    pub(crate) hole: &'h Hole,
+    /// One for each side.
+    fillings: Vec<Filled>,
     /// Least quality (AR) of the new triangles, negative with one that faces against the surface.
     pub(crate) quality: f64,
-    /// The same of those that are there now.
-    pub(crate) quality_before: f64,
     /// Longest of the new edges.
     pub(crate) longest: f64,
 }
 
+/// How one polygon is filled.
+struct Filled {
+    /// By places in the ring.
+    triangles: Vec<[usize; 3]>,
+    /// The layout of the ring that the choice of the triangles hangs on.
+    flat: Option<Vec<DVec2>>,
+}
+
 impl Editor<'_> {
-    /// How to take `v` away. `None` for a corner, and where the filling makes no simplicial mesh.
-    pub(crate) fn removal(&self, v: VertexId, filling: Filling<'_>) -> Option<Removal> {
+    /// What taking `v` away would leave. `None` for a corner, and where no filling makes a simplicial mesh.
+    pub(crate) fn hole(&self, v: VertexId) -> Option<Hole> {
         let ring = self.ring(v)?;
-        let (edits, joined) = match self.attachment(v) {
-            Attachment::Corner(_) => return None,
-            Attachment::Sheet(_) if ring.closed => (vec![self.removal_inside(v, &ring, filling)?], None),
-            Attachment::Sheet(_) => return None,
+        let (sides, joined) = match self.attachment(v) {
+            Attachment::Sheet(_) if ring.closed && !self.is_pillow(&ring.vertices) => (vec![self.side(v, ring, None)], None),
+            Attachment::Corner(_) | Attachment::Sheet(_) => return None,
             Attachment::Arc { .. } => {
-                let (edits, ends, span) = self.removal_on_arc(v, &ring, filling)?;
-                (edits, Some((ends, span)))
+                let (sides, ends, span) = self.sides_of_arc(v, &ring)?;
+                (sides, Some((ends, span)))
             }
         };
-        let mut removal = Removal { vertex: v, edits, joined, quality: 1.0, quality_before: 1.0, longest: 0.0 };
-        removal.rate(self);
-        Some(removal)
+        let quality = |face: Face| signed_quality(self.triangle(&face), face.normal);
+        let quality = self.faces_at(v).map(quality).fold(1.0, f64::min);
+        let longest = sides.iter().map(Side::longest).fold(0.0, f64::max);
+        Some(Hole { vertex: v, sides, joined, quality, longest })
     }
 
-    /// Takes a vertex away. False, changing nothing, where the new triangles would turn their backs on the surface.
-    pub(crate) fn take_away(&mut self, removal: &Removal) -> bool {
-        if !self.replace(&removal.edits, None) {
+    /// How to take a vertex away with this filling. `None` where that makes no simplicial mesh. Layouts wait until they are needed.
+    pub(crate) fn removal<'h>(&self, hole: &'h Hole, filling: Filling<'_>) -> Option<Removal<'h>> {
+        let end = |(ends, _): ([VertexId; 2], ArcSpan)| matches!(filling, Filling::Fan(apex) if !ends.contains(&apex));
+        if hole.joined.is_some_and(end) {
+            return None;
+        }
+        let fillings = hole.sides.iter().map(|side| self.filling(side, filling)).collect::<Option<Vec<_>>>()?;
+        let (mut quality, mut longest) = (1.0f64, 0.0f64);
+        for (side, filled) in hole.sides.iter().zip(&fillings) {
+            for triangle in &filled.triangles {
+                let t = triangle.map(|i| side.positions[i]);
+                quality = quality.min(signed_quality(t, side.normal));
+                longest = (0..3).fold(longest, |l, i| l.max(t[i].distance(t[(i + 1) % 3])));
+            }
+        }
+        Some(Removal { hole, fillings, quality, longest })
+    }
+
+    /// Takes a vertex away. False, changing nothing, where no layout is unfolded before and after, and where the new triangles would turn
+    /// their backs on the surface.
+    pub(crate) fn take_away(&mut self, removal: &Removal<'_>) -> bool {
+        let v = removal.hole.vertex;
+        let edit = |(side, Filled { triangles, flat }): (&Side, &Filled)| {
+            let sound = || side.laid_out(|p| is_sound(triangles, p).then_some(())).map(|found| found.0);
+            Some(side.edit(v, triangles, &flat.clone().or_else(sound)?))
+        };
+        let Some(edits) = removal.hole.sides.iter().zip(&removal.fillings).map(edit).collect::<Option<Vec<_>>>() else {
+            return false;
+        };
+        if !self.replace(&edits, None) {
             return false;
         }
-        let v = removal.vertex;
-        if let Some(([u, w], span)) = removal.joined {
+        if let Some(([u, w], span)) = removal.hole.joined {
             self.region.spans.remove(&[v.min(u), v.max(u)]);
             self.region.spans.remove(&[v.min(w), v.max(w)]);
             self.region.insert_span(u, w, span);
@@ -68,84 +124,70 @@ impl Editor<'_> {
         true
     }
 
-    fn removal_inside(&self, v: VertexId, ring: &Ring, filling: Filling<'_>) -> Option<Edit> {
-        let n = ring.vertices.len();
-        // Two triangles over the same three vertices are a pillow.
-        let is_pillow = |t: [VertexId; 3]| self.is_face(t) || self.is_face([t[0], t[2], t[1]]);
-        if n < 3 || (n == 3 && is_pillow([ring.vertices[0], ring.vertices[1], ring.vertices[2]])) {
-            return None;
+    /// Would filling a ring leave two triangles over the same three vertices?
+    fn is_pillow(&self, ring: &[VertexId]) -> bool {
+        match *ring {
+            [a, b, c] => self.is_face([a, b, c]) || self.is_face([a, c, b]),
+            _ => ring.len() < 3,
         }
-        let positions: Vec<DVec3> = ring.vertices.iter().map(|&w| self.position(w)).collect();
-        let spokes = |p: &[DVec2]| -> Vec<[DVec2; 3]> { (0..n).map(|i| [DVec2::ZERO, p[i], p[(i + 1) % n]]).collect() };
-        let normal = self.star_normal(&ring.faces);
-        let filled = |p: &[DVec2]| are_unfolded(&spokes(p)).then(|| self.filled(&ring.vertices, p, normal, filling)).flatten();
-        let flat = full_star(self.position(v), &positions, |p| filled(p).is_some());
-        let triangles = filled(&flat)?;
-        let corners = |i: usize| [v, ring.vertices[i], ring.vertices[(i + 1) % n]];
-        let old = ring.faces.iter().zip(spokes(&flat)).enumerate().map(|(i, (&f, layout))| (f, corners(i), layout)).collect();
-        Some(Edit { old, new: named(&triangles, &ring.vertices, &flat) })
     }
 
-    /// Both sides of the arc are laid out on their own, with the arc straight and by arc length.
-    fn removal_on_arc(&self, v: VertexId, ring: &Ring, filling: Filling<'_>) -> Option<(Vec<Edit>, [VertexId; 2], ArcSpan)> {
+    /// Both sides of the arc that `v` is on, its neighbours there and the span between them.
+    fn sides_of_arc(&self, v: VertexId, ring: &Ring) -> Option<(Vec<Side>, [VertexId; 2], ArcSpan)> {
         let along: Vec<VertexId> = ring.vertices.iter().copied().filter(|&w| self.span(v, w).is_some()).collect();
         let [u, w] = along[..] else { return None };
         let (to_u, to_w) = (self.span(v, u)?, self.span(v, w)?);
-        if self.is_edge(u, w) || matches!(filling, Filling::Fan(apex) if apex != u && apex != w) {
+        if self.is_edge(u, w) {
             return None;
         }
         let lengths = [(to_u.to - to_u.from).abs(), (to_w.to - to_w.from).abs()];
         let sides = [(side_between(ring, u, w), lengths), (side_between(ring, w, u), [lengths[1], lengths[0]])];
-        let sides: Vec<(Ring, [f64; 2])> = sides.into_iter().filter_map(|(side, lengths)| Some((side?, lengths))).collect();
-        if let [(a, _), (b, _)] = &sides[..]
-            && inner(a).iter().any(|x| inner(b).contains(x))
+        let sides: Vec<Side> = sides.into_iter().filter_map(|(ring, lengths)| Some(self.side(v, ring?, Some(lengths)))).collect();
+        if let [a, b] = &sides[..]
+            && inner(&a.ring).iter().any(|x| inner(&b.ring).contains(x))
         {
             return None;
         }
-        let edits = sides.iter().map(|(side, lengths)| self.removal_beside(v, side, *lengths, filling)).collect::<Option<_>>()?;
         let span = ArcSpan { arc: to_u.arc, from: to_u.to, to: to_u.from + to_w.to - to_w.from };
-        Some((edits, [u, w], span))
+        Some((sides, [u, w], span))
     }
 
-    fn removal_beside(&self, v: VertexId, side: &Ring, [ahead, behind]: [f64; 2], filling: Filling<'_>) -> Option<Edit> {
-        let positions: Vec<DVec3> = side.vertices.iter().map(|&w| self.position(w)).collect();
-        let spokes = |p: &[DVec2]| -> Vec<[DVec2; 3]> { p.windows(2).map(|w| [DVec2::ZERO, w[0], w[1]]).collect() };
-        let normal = self.star_normal(&side.faces);
-        let is_unfolded = |p: &[DVec2]| spokes(p).iter().all(|t| exact::orient2d(t[0], t[1], t[2]) > 0.0);
-        let filled = |p: &[DVec2]| is_unfolded(p).then(|| self.filled(&side.vertices, p, normal, filling)).flatten();
-        let flat = half_star(self.position(v), &positions, ahead, behind, |p| are_unfolded(&spokes(p)) && filled(p).is_some());
-        let triangles = filled(&flat)?;
-        let faces = side.faces.iter().zip(side.vertices.windows(2)).zip(spokes(&flat));
-        let old = faces.map(|((&f, w), layout)| (f, [v, w[0], w[1]], layout)).collect();
-        Some(Edit { old, new: named(&triangles, &side.vertices, &flat) })
+    fn side(&self, v: VertexId, ring: Ring, along: Option<[f64; 2]>) -> Side {
+        let positions = ring.vertices.iter().map(|&w| self.position(w)).collect();
+        Side { positions, centre: self.position(v), along, normal: self.star_normal(&ring.faces), ring }
     }
 
-    /// A triangulation of a flat polygon, by places in the list of its vertices. Its last side may be an edge to come.
-    fn filled(&self, vertices: &[VertexId], flat: &[DVec2], normal: DVec3, filling: Filling<'_>) -> Option<Vec<[usize; 3]>> {
+    /// Triangles that fill a polygon, by places in its ring. The cheapest hang on a layout.
+    fn filling(&self, side: &Side, filling: Filling<'_>) -> Option<Filled> {
+        let vertices = &side.ring.vertices;
         let n = vertices.len();
+        // The last side of the polygon may be an edge to come.
         let is_side = |i: usize, j: usize| i.abs_diff(j) == 1 || i.abs_diff(j) == n - 1;
         let may_be = |i: usize, j: usize| is_side(i, j) || !self.is_edge(vertices[i], vertices[j]);
-        let is_sound = |&[i, k, j]: &[usize; 3]| {
-            may_be(i, k) && may_be(k, j) && may_be(i, j) && are_unfolded(&[[flat[i], flat[k], flat[j]]])
-        };
-        match filling {
+        let place = |v: VertexId| vertices.iter().position(|&w| w == v);
+        let triangles: Vec<[usize; 3]> = match filling {
             Filling::Fan(apex) => {
-                let start = vertices.iter().position(|&w| w == apex)?;
-                let fan: Vec<_> = (1..n - 1).map(|i| [start, (start + i) % n, (start + i + 1) % n]).collect();
-                fan.iter().all(is_sound).then_some(fan)
+                let start = place(apex)?;
+                (1..n - 1).map(|i| [start, (start + i) % n, (start + i + 1) % n]).collect()
             }
             Filling::Given(triangles) => {
-                let place = |v: VertexId| vertices.iter().position(|&w| w == v);
                 let places = triangles.iter().filter_map(|&[a, b, c]| Some([place(a)?, place(b)?, place(c)?]));
                 // A polygon's corners come in their order round it, whichever is first.
                 let mut given: Vec<_> = places.collect();
                 given.iter_mut().for_each(|t| t.sort_unstable());
-                (given.len() + 2 == n && given.iter().all(is_sound)).then_some(given)
+                given
             }
             Filling::Cheapest => {
-                cheapest_filling(n, |t| is_sound(&t).then(|| inverse_mean_ratio(t.map(|i| self.position(vertices[i])), normal)))
+                let cheapest = |p: &[DVec2]| {
+                    let cost = |t: [usize; 3]| inverse_mean_ratio(t.map(|i| side.positions[i]), side.normal);
+                    cheapest_filling(n, may_be, |t| is_sound(&[t], p).then(|| cost(t)))
+                };
+                let (flat, triangles) = side.laid_out(cheapest)?;
+                return Some(Filled { triangles, flat: Some(flat) });
             }
-        }
+        };
+        let all_may_be = triangles.iter().all(|&[i, k, j]| may_be(i, k) && may_be(k, j) && may_be(i, j));
+        (triangles.len() + 2 == n && all_may_be).then_some(Filled { triangles, flat: None })
     }
 
     /// The mean of the normals of some faces, by their areas.
@@ -155,28 +197,53 @@ impl Editor<'_> {
     }
 }
 
-impl Removal {
-    fn rate(&mut self, editor: &Editor<'_>) {
-        for edit in &self.edits {
-            let faces: Vec<_> = edit.old.iter().map(|o| o.0).collect();
-            let normal = editor.star_normal(&faces);
-            for face in faces.iter().filter_map(|&f| editor.face(f)) {
-                self.quality_before = self.quality_before.min(signed_quality(editor.triangle(&face), face.normal));
+impl Side {
+    /// Longest side of the polygon that there is now.
+    fn longest(&self) -> f64 {
+        let steps = self.positions.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f64::max);
+        match self.positions[..] {
+            [first, .., last] if self.along.is_none() => steps.max(last.distance(first)),
+            _ => steps,
+        }
+    }
+
+    /// The first layout that is unfolded and that something is found in, and what is found.
+    fn laid_out<T>(&self, find: impl Fn(&[DVec2]) -> Option<T>) -> Option<(Vec<DVec2>, T)> {
+        let is_flat_enough = |p: &[DVec2]| are_unfolded(&self.spokes(p));
+        match self.along {
+            None => {
+                let layouts = full_star(self.centre, &self.positions);
+                layouts.into_iter().filter(|p| is_flat_enough(p)).find_map(|p| find(&p).map(|t| (p, t)))
             }
-            for (corners, _) in &edit.new {
-                let t = corners.map(|v| editor.position(v));
-                self.quality = self.quality.min(signed_quality(t, normal));
-                self.longest = (0..3).fold(self.longest, |l, i| l.max(t[i].distance(t[(i + 1) % 3])));
+            Some([ahead, behind]) => {
+                let is_unfolded = |p: &[DVec2]| self.spokes(p).iter().all(|t| exact::orient2d(t[0], t[1], t[2]) > 0.0);
+                let [lengths, circle] = half_star(self.centre, &self.positions, ahead, behind);
+                let lengths = Some(lengths).filter(|p| is_flat_enough(p)).and_then(|p| find(&p).map(|t| (p, t)));
+                lengths.or_else(|| Some(circle).filter(|p| is_unfolded(p)).and_then(|p| find(&p).map(|t| (p, t))))
             }
         }
     }
+
+    /// The triangles between the vertex, at the origin, and its ring.
+    fn spokes(&self, flat: &[DVec2]) -> Vec<[DVec2; 3]> {
+        (0..self.ring.faces.len()).map(|i| [DVec2::ZERO, flat[i], flat[(i + 1) % flat.len()]]).collect()
+    }
+
+    fn edit(&self, v: VertexId, triangles: &[[usize; 3]], flat: &[DVec2]) -> Edit {
+        let w = &self.ring.vertices;
+        let corners = |i: usize| [v, w[i], w[(i + 1) % w.len()]];
+        let faces = self.ring.faces.iter().zip(self.spokes(flat)).enumerate();
+        let old = faces.map(|(i, (&f, layout))| (f, corners(i), layout)).collect();
+        Edit { old, new: triangles.iter().map(|t| (t.map(|i| w[i]), t.map(|i| flat[i]))).collect() }
+    }
+}
+
+/// Are these triangles of a flat polygon unfolded?
+fn is_sound(triangles: &[[usize; 3]], flat: &[DVec2]) -> bool {
+    triangles.iter().all(|t| are_unfolded(&[t.map(|i| flat[i])]))
 }
 
 /// All vertices of one side of an arc but the first and the last.
 fn inner(side: &Ring) -> &[VertexId] {
     &side.vertices[1..side.vertices.len() - 1]
-}
-
-fn named(triangles: &[[usize; 3]], vertices: &[VertexId], flat: &[DVec2]) -> Vec<([VertexId; 3], [DVec2; 3])> {
-    triangles.iter().map(|t| (t.map(|i| vertices[i]), t.map(|i| flat[i]))).collect()
 }

@@ -96,11 +96,10 @@ impl Side {
                     .any(|f| t.iter().all(|&i| f.corners.contains(&corner(i))))
         };
         let cost = |[i, j, k]: [usize; 3]| {
-            let may_be = may_be(i, j) && may_be(j, k) && may_be(k, i) && !is_taken([i, j, k]);
             let is_ear = is_ear(i, j, k) || is_ear(j, k, i) || is_ear(k, i, j);
-            (may_be && !is_ear).then(|| self.inverse_mean_ratio(coarse, v, [i, j, k]))
+            (!is_taken([i, j, k]) && !is_ear).then(|| self.inverse_mean_ratio(coarse, v, [i, j, k]))
         };
-        let triangles = cheapest_filling(n, cost)?;
+        let triangles = cheapest_filling(n, may_be, cost)?;
         let mut inner: Vec<([usize; 2], VertexId)> = Vec::new();
         for t in &triangles {
             for (i, j) in [(t[0], t[1]), (t[1], t[2]), (t[0], t[2])] {
