@@ -181,6 +181,28 @@ impl Network {
         self.arcs.iter().map(Arc::length).sum()
     }
 
+    /// The least vertices and triangles of any base mesh on this network: a vertex at each corner, and on the arcs what keeps base edges
+    /// apart (3 edges on a closed arc, 2 where arcs share both ends). The triangles follow by Euler's formula.
+    pub fn least_base(&self, topology: &Topology) -> (usize, usize) {
+        let mut ends: Vec<_> = self.arcs.iter().filter_map(|arc| arc.corners).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        ends.sort_unstable();
+        let are_shared = |[a, b]: [CornerId; 2]| {
+            let first = ends.partition_point(|&e| e < [a.min(b), a.max(b)]);
+            ends.get(first + 1) == Some(&[a.min(b), a.max(b)])
+        };
+        let segments = |arc: &Arc| match arc.corners {
+            None => 3,
+            Some([a, b]) if a == b => 3,
+            // One of those that share their ends may be a single edge.
+            Some(ends) => 1 + usize::from(are_shared(ends)),
+        };
+        let inside = |arc: &Arc| segments(arc) - usize::from(!arc.is_loop());
+        let vertices = self.corners.len() + self.arcs.iter().map(inside).sum::<usize>();
+        let border: usize = self.arcs.iter().filter(|arc| arc.kind == ArcKind::Border).map(segments).sum();
+        let triangles = 2 * (vertices as i64 - topology.euler()) - border as i64;
+        (vertices, triangles.max(0) as usize)
+    }
+
     /// Length of the creases that are arcs, and of those that were not kept.
     pub fn crease_lengths(&self, mesh: &TriMesh) -> [f64; 2] {
         let kept = self.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(Arc::length).sum();

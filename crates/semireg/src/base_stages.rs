@@ -3,6 +3,7 @@
 use crate::input::Input;
 use crate::ladder::Rung;
 use crate::patches::{Patches, patches};
+use crate::pipeline::finest_triangles;
 use crate::search::searched;
 use crate::{Error, Options, StageSeconds};
 use basemesh::BaseOptions;
@@ -46,12 +47,14 @@ pub enum Way {
 }
 
 /// Runs the stages on an input, both ways. The base meshes come in the order of their rating, the best first. `needed` base vertices
-/// are what corners and arcs took on an earlier rung, 0 on the first.
+/// are what corners and arcs took on an earlier rung, 0 on the first. With `levels`, base meshes that make too large a result are refused,
+/// as early as can be.
 pub(crate) fn base_stages(
     input: &Input,
     options: &Options,
     rung: &Rung,
     needed: usize,
+    levels: Option<u32>,
     seconds: &mut StageSeconds,
 ) -> Result<Vec<BaseStages>, Error> {
     let (mesh, topology) = (&input.working.mesh, &input.working.topology);
@@ -62,6 +65,11 @@ pub(crate) fn base_stages(
     let persistence = options.features.persistence * rung.persistence;
     let feature_options = FeatureOptions { base_edge_length, persistence, ..options.features.clone() };
     let network = seconds.time("features", || features::detect(mesh, topology, &feature_options))?;
+    let refuse_too_large = |base: (usize, usize)| match levels {
+        Some(levels) => finest_triangles(base, asked, levels).map(|_| ()),
+        None => Ok(()),
+    };
+    refuse_too_large(network.least_base(topology))?;
     let normals = SheetNormals::new(mesh, topology, &network);
     let surface = Surface { mesh, topology, network: &network, normals: &normals };
     let sizing_options = SizingOptions { turn: rung.turn, ..SizingOptions::new(base_edge_length) };
@@ -71,30 +79,30 @@ pub(crate) fn base_stages(
     let mut times = [StageSeconds::default(), StageSeconds::default()];
     let [of_patches, of_decimation] = &mut times;
     let finished = |way: Way, base: BaseMesh, seconds: &mut StageSeconds| {
+        refuse_too_large((base.mesh.n_vertices(), base.mesh.n_faces()))?;
         // The history of edits distorts the map; where edges cannot be traced it still is one.
         let base = seconds.time("retrace", || trace_base::retrace(&surface, &base)).unwrap_or(base);
         let (rating, base) = seconds.time("search", || searched(&surface, &sizing, base, asked, options));
-        (rating, way, base)
+        Ok((rating, way, base))
     };
     // Neither way waits for the other before it has its rating.
     let (by_patches, decimated) = rayon::join(
         || {
             let patches = patches(&surface, &sizing, wanted, options.seed, of_patches)?;
-            let rated = finished(Way::Patches, patches.base.clone(), of_patches);
+            let rated = finished(Way::Patches, patches.base.clone(), of_patches)?;
             Ok((Arc::new(patches), rated))
         },
         || {
-            let base = of_decimation.time("decimate", || basemesh::decimate(&surface, &sizing, &base_options)).ok()?;
-            Some(finished(Way::Decimation, base, of_decimation))
+            let base = of_decimation.time("decimate", || basemesh::decimate(&surface, &sizing, &base_options))?;
+            finished(Way::Decimation, base, of_decimation)
         },
     );
     times.iter().for_each(|t| seconds.add(t));
-    let (patches, of_patches) = match by_patches {
-        Ok((patches, rated)) => (Some(patches), Some(rated)),
-        Err(e) if decimated.is_none() => return Err(e),
-        Err(_) => (None, None),
+    let (patches, mut rated) = match (by_patches, decimated) {
+        (Ok((patches, rated)), decimated) => (Some(patches), decimated.into_iter().chain([rated]).collect()),
+        (Err(_), Ok(rated)) => (None, vec![rated]),
+        (Err(_), Err(e @ Error::TooLarge { .. })) | (Err(e), Err(_)) => return Err(e),
     };
-    let mut rated: Vec<_> = decimated.into_iter().chain(of_patches).collect();
     rated.sort_by(|a, b| b.0.total_cmp(&a.0));
     let stages = |(_, way, mut base): (f64, Way, BaseMesh)| {
         base.counts = counts(&base, asked, patches.as_deref(), &network, rung);

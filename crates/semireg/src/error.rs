@@ -39,14 +39,14 @@ pub enum Error {
     Base(#[from] basemesh::BaseError),
     /// The finest level would be too large.
     #[error(
-        "the result would have {triangles} triangles, as corners, creases and shape take {base_vertices} base vertices; ask for fewer levels \
-         (--levels), or for that many base vertices if you mean it (--base-vertices, at most {} triangles)",
+        "the result would have {triangles} triangles or more, as corners, creases and shape take at least {base_vertices} base vertices; ask \
+         for fewer levels (--levels), or for that many base vertices if you mean it (--base-vertices, at most {} triangles)",
         crate::MAX_TRIANGLES
     )]
     TooLarge {
-        /// Vertices of the base mesh.
+        /// Vertices of the base mesh, or those that any base mesh needs.
         base_vertices: usize,
-        /// Triangles of the finest level.
+        /// Triangles of the finest level on it.
         triangles: u64,
     },
     /// Subdivision failed.

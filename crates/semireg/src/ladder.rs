@@ -2,7 +2,7 @@
 
 use crate::base_stages::{BaseStages, base_stages};
 use crate::input::Input;
-use crate::pipeline::{finest_triangles, run};
+use crate::pipeline::run;
 use crate::{Error, Options, Remeshed, StageSeconds};
 use mesh_core::equilateral_edge_length;
 
@@ -63,8 +63,9 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
         if climb.triangles > MOST_FAILED {
             break;
         }
-        let candidates = match base_stages(input, options, rung, needed, seconds) {
+        let candidates = match base_stages(input, options, rung, needed, Some(options.levels), seconds) {
             Ok(candidates) => candidates,
+            Err(Error::TooLarge { .. }) if !climb.is_empty() => break,
             Err(e) => {
                 climb.fail(rung, e)?;
                 continue;
@@ -75,11 +76,7 @@ pub(crate) fn climb(input: &Input, options: &Options, seconds: &mut StageSeconds
                 break 'rungs;
             }
             needed = needed.max(stages.base.counts.needed);
-            climb.triangles += match finest_triangles(&stages, options.levels) {
-                Ok(triangles) => triangles,
-                Err(e) if climb.is_empty() => return Err(e),
-                Err(_) => break 'rungs,
-            };
+            climb.triangles += 4u64.pow(options.levels) * stages.base.mesh.n_faces() as u64;
             match run(&stages, options, seconds) {
                 Ok(remeshed) => {
                     if climb.pass(input, options, rung, remeshed) {
@@ -139,7 +136,7 @@ impl Climb {
 pub(crate) fn climb_to_base(input: &Input, options: &Options, seconds: &mut StageSeconds) -> Result<BaseStages, Error> {
     let mut climb = Climb::default();
     for rung in &LADDER {
-        match base_stages(input, options, rung, 0, seconds).map(|candidates| candidates.into_iter().next()) {
+        match base_stages(input, options, rung, 0, None, seconds).map(|candidates| candidates.into_iter().next()) {
             Ok(Some(mut stages)) => {
                 stages.warnings = [climb.warnings, stages.warnings].concat();
                 return Ok(stages);

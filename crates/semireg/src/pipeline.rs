@@ -85,14 +85,12 @@ pub fn base(soup: &Soup, options: &Options) -> Result<Based, Error> {
     Ok(Based { stages, seconds })
 }
 
-/// Triangles of the finest level. Refuses too many here, as nobody knows the size of the base mesh before it is made.
-pub(crate) fn finest_triangles(stages: &BaseStages, levels: u32) -> Result<u64, Error> {
-    let base = &stages.base.mesh;
-    let triangles = 4u64.saturating_pow(levels).saturating_mul(base.n_faces() as u64);
-    let counts = &stages.base.counts;
-    let is_unasked = triangles > MOST_UNASKED && counts.made > MOST_TIMES * counts.asked;
+/// Triangles of the finest level on a base mesh of so many vertices and faces. Refuses too many.
+pub(crate) fn finest_triangles((vertices, faces): (usize, usize), asked: usize, levels: u32) -> Result<u64, Error> {
+    let triangles = 4u64.saturating_pow(levels).saturating_mul(faces as u64);
+    let is_unasked = triangles > MOST_UNASKED && vertices > MOST_TIMES * asked;
     if triangles > MAX_TRIANGLES || is_unasked {
-        return Err(Error::TooLarge { base_vertices: base.n_vertices(), triangles });
+        return Err(Error::TooLarge { base_vertices: vertices, triangles });
     }
     Ok(triangles)
 }

@@ -22,7 +22,8 @@ pub fn remesh_with_base(soup: &Soup, base: &Soup, options: &Options) -> Result<R
     let mut options = Options { base_vertices: Some(base.n_vertices()), ..options.clone() };
     let input = Input::new(soup, &mut options, &mut seconds)?;
     let (stages, untraced) = stages(&input, &base, &options, &mut warnings, &mut seconds)?;
-    finest_triangles(&stages, options.levels)?;
+    let base_vertices = stages.base.mesh.n_vertices();
+    finest_triangles((base_vertices, stages.base.mesh.n_faces()), base_vertices, options.levels)?;
     let mut remeshed = run(&stages, &options, &mut seconds).map_err(|e| match e {
         Error::NotCertified(failure) => {
             Error::BaseNotCertified { failure, untraced: untraced.map(|u| format!(" (placed by rays: {u})")).unwrap_or_default() }

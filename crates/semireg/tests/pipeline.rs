@@ -128,6 +128,9 @@ fn a_base_mesh_is_as_large_as_its_corners_and_arcs_need_and_says_why() {
 fn a_result_that_would_be_too_large_is_refused() {
     let error = remesh(&fixtures::cube(4).to_soup(), &options(500, 8)).unwrap_err();
     assert!(matches!(error, Error::TooLarge { base_vertices: 500, .. }), "{error}");
+    // Nobody who asks for one vertex waits for the 500,000 triangles and more that eight corners make.
+    let error = remesh(&fixtures::cube(4).to_soup(), &options(1, 8)).unwrap_err();
+    assert!(matches!(error, Error::TooLarge { base_vertices: 8, triangles: 786_432 }), "{error}");
 }
 
 #[test]

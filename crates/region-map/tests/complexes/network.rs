@@ -144,6 +144,19 @@ fn a_corner_on_a_rim_opens_its_loop() {
 }
 
 #[test]
+fn no_base_mesh_is_smaller_than_corners_arcs_and_topology_ask() {
+    let least = |mesh: &TriMesh| traced(mesh).least_base(&topology(mesh));
+    assert_eq!(least(&fixtures::cube(4)), (8, 12));
+    assert_eq!(least(&fixtures::l_block(2)), (12, 20));
+    // Two rims of three vertices; with borders alone there are the same vertices and fewer triangles.
+    assert_eq!(least(&fixtures::cylinder(1.0, 2.0, 24)), (6, 8));
+    let shell = fixtures::shell(16);
+    assert_eq!(least(&shell), (12, (12 - 2 * topology(&shell).euler()) as usize));
+    // Nothing is asked for, and a torus has as many edges as vertices and faces together.
+    assert_eq!(least(&fixtures::torus(1.0, 0.4, 24, 12)), (0, 0));
+}
+
+#[test]
 fn borders_have_one_side() {
     let mesh = fixtures::shell(16);
     for arc in &traced(&mesh).arcs {
