@@ -71,6 +71,24 @@ fn take_away(editor: &mut Editor<'_>, v: VertexId, filling: Filling<'_>) -> bool
     removal.is_some_and(|removal| editor.take_away(&removal))
 }
 
+#[test]
+fn the_cheapest_filling_is_for_small_stars() {
+    let shape = Shape::sphere();
+    let surface = shape.surface();
+    let mut editor = Editor::new(&surface, shape.base(40, 0)).unwrap();
+    let v = editor.vertices()[0];
+    // Halving the edges across from a vertex in turn gives it ever more neighbours.
+    let star = |editor: &Editor<'_>| editor.faces().into_iter().filter(|f| f.contains(&v)).collect::<Vec<_>>();
+    while star(&editor).len() <= 40 {
+        for face in star(&editor) {
+            let [a, b] = [1, 2].map(|k| face[(face.iter().position(|&w| w == v).unwrap() + k) % 3]);
+            editor.split(a, b).unwrap();
+        }
+    }
+    assert!(!take_away(&mut editor, v, Filling::Cheapest));
+    shape.check(&editor.finish().unwrap());
+}
+
 /// Makes edits that bytes choose: which edge, and what to do with it.
 fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usize) {
     let surface = shape.surface();

@@ -9,12 +9,16 @@ use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, VertexId, cheapest_filling, exact, inverse_mean_ratio};
 use region_map::{ArcSpan, Attachment};
 
+/// A polygon of more corners is not filled in the cheapest way, which takes the cube of their number. Along a long crease, such as the
+/// helix of a screw, stars of hundreds come up.
+const MOST_CORNERS: usize = 40;
+
 /// How the star of a vertex is filled.
 #[derive(Clone, Copy)]
 pub(crate) enum Filling<'t> {
     /// With a fan round one of the neighbours: the vertex is collapsed into it. On an arc it must be a neighbour there.
     Fan(VertexId),
-    /// With the triangles of the best shape.
+    /// With the triangles of the best shape, for up to [`MOST_CORNERS`] corners.
     Cheapest,
     /// With those of these triangles that have all corners on the polygon.
     Given(&'t [[VertexId; 3]]),
@@ -177,6 +181,7 @@ impl Editor<'_> {
                 given.iter_mut().for_each(|t| t.sort_unstable());
                 given
             }
+            Filling::Cheapest if n > MOST_CORNERS => return None,
             Filling::Cheapest => {
                 let cheapest = |p: &[DVec2]| {
                     let cost = |t: [usize; 3]| inverse_mean_ratio(t.map(|i| side.positions[i]), side.normal);
