@@ -167,9 +167,10 @@ impl Domain<'_> {
                 let [behind, ahead] = [rail.behind, rail.ahead].map(|end| placement.end_of_rail(end) - spot.t);
                 // Half of what a gap may still grow, as the neighbour may slide the other way.
                 let slack = |gap: f64| 0.5 * (rail.longest_gap - gap.abs()).max(0.0);
-                let (back, forth) = ((SLIDE_SHARE * behind).max(-slack(ahead)), (SLIDE_SHARE * ahead).min(slack(behind)));
+                let room = |gap: f64| (SLIDE_SHARE * gap.abs()).min(0.5 * (gap.abs() - rail.shortest_gap)).max(0.0);
+                let (back, forth) = (-room(behind).min(slack(ahead)), room(ahead).min(slack(behind)));
                 let slide = displacement.dot(self.rail_direction(rail, spot.t));
-                self.spot_on_arc(rail, spot.t + slide.clamp(back.min(0.0), forth.max(0.0)))
+                self.spot_on_arc(rail, spot.t + slide.clamp(back, forth))
             }
             Freedom::Sheet => self.walked(&spot, displacement),
         }

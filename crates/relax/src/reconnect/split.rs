@@ -48,17 +48,17 @@ fn halve(coarse: &Coarse, middle: VertexId, halves: [(VertexId, VertexId); 2], c
     let here = |vertex: VertexId| RailEnd { vertex, shift: 0.0 };
     let half_at = |end: RailEnd| halves.iter().find(|h| h.0 == end.vertex).map_or(end.vertex, |h| h.1);
     let (behind, ahead) = (half_at(rail.behind), half_at(rail.ahead));
-    let longest_gap = 0.5 * rail.longest_gap;
+    let [longest_gap, shortest_gap] = [rail.longest_gap, rail.shortest_gap].map(|gap| 0.5 * gap);
     let rails = [
-        (behind, rail.behind, Rail { ahead: here(middle), longest_gap, ..rail }),
-        (ahead, rail.ahead, Rail { behind: here(middle), longest_gap, ..rail }),
+        (behind, rail.behind, Rail { ahead: here(middle), longest_gap, shortest_gap, ..rail }),
+        (ahead, rail.ahead, Rail { behind: here(middle), longest_gap, shortest_gap, ..rail }),
     ];
     for (half, end, rail) in rails {
         let t = 0.5 * (spot.t + coarse.spots[end.vertex].t + end.shift);
         change.moved.push((half, coarse.domain.spot_on_arc(&rail, t), Freedom::Rail(rail)));
         change.meet(coarse, end.vertex, middle, here(half));
     }
-    let rail = Rail { behind: here(behind), ahead: here(ahead), longest_gap, ..rail };
+    let rail = Rail { behind: here(behind), ahead: here(ahead), longest_gap, shortest_gap, ..rail };
     change.moved.push((middle, spot, Freedom::Rail(rail)));
 }
 
