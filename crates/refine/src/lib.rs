@@ -3,7 +3,7 @@
 //! CAD tessellations have planes of two triangles, cylinders of strips as long as the part, and fans of needles from one vertex to
 //! a whole circle. Patches that grow face by face get ragged borders there, and charts fold. So the working mesh is refined before
 //! anything is segmented: edges that lie in a plane with both of their faces are flipped towards Delaunay, and long edges are halved.
-//! The point set of the surface stays what it is.
+//! The point set of the surface stays what it is, but where edges are contracted that are much shorter than any of the result's.
 //!
 //! ```
 //! use mesh_core::Topology;
@@ -21,6 +21,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod contract;
 mod draft;
 mod refine;
 

@@ -1,5 +1,6 @@
-//! The stage: flips in planes, splits of long edges.
+//! The stage: short edges contracted, flips in planes, splits of long edges.
 
+use crate::contract::contract;
 use crate::draft::Draft;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, IdVec, MeshError, Topology, TopologyError, TriMesh, VertexId};
@@ -11,6 +12,8 @@ use std::collections::BinaryHeap;
 pub struct RefineOptions {
     /// Edges longer than this are halved, in the units of the mesh, positive. Infinite: none.
     pub longest_edge: f64,
+    /// Edges shorter than this are contracted, in the units of the mesh. Default 0: none.
+    pub shortest_edge: f64,
     /// Most faces that splitting may lead to; the longest edges come first. Default: four for each input face and 200,000 more.
     pub most_faces: Option<usize>,
     /// How far a flip may move the surface, as a share of the diagonal of the box. Default 1e-7: what single precision does to
@@ -21,14 +24,14 @@ pub struct RefineOptions {
 impl RefineOptions {
     /// The defaults for a longest edge.
     pub fn new(longest_edge: f64) -> Self {
-        Self { longest_edge, most_faces: None, flatness: 1e-7 }
+        Self { longest_edge, shortest_edge: 0.0, most_faces: None, flatness: 1e-7 }
     }
 }
 
 /// The same surface in other triangles.
 #[derive(Clone, Debug)]
 pub struct Refined {
-    /// The mesh. The vertices of the input come first, in their order.
+    /// The mesh. The vertices of the input that are left come first, in their order.
     pub mesh: TriMesh,
     /// Its connectivity.
     pub topology: Topology,
@@ -36,6 +39,8 @@ pub struct Refined {
     pub source_face: IdVec<FaceId, FaceId>,
     /// The marked edges, halved where they were split.
     pub marked: Vec<[VertexId; 2]>,
+    /// Number of edges contracted.
+    pub contractions: usize,
     /// Number of edges flipped.
     pub flips: usize,
     /// Number of edges halved.
@@ -60,10 +65,18 @@ pub fn refine(
     marked: &[[VertexId; 2]],
     options: &RefineOptions,
 ) -> Result<Refined, RefineError> {
+    let contracted = contract(mesh, topology, marked, options.shortest_edge)?;
+    let mut draft =
+        Draft::new(contracted.as_ref().map_or(mesh, |c| &c.mesh), contracted.as_ref().map_or(topology, |c| &c.topology));
+    if let Some(c) = &contracted {
+        draft.source.clone_from(&c.source);
+    }
+    let marked = contracted.as_ref().map_or(marked, |c| &c.marked);
     let mut refiner = Refiner {
         tolerance: options.flatness * mesh.diagonal(),
         marked: marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect(),
-        draft: Draft::new(mesh, topology),
+        draft,
+        contractions: contracted.as_ref().map_or(0, |c| c.contractions),
         flips: 0,
         splits: 0,
     };
@@ -85,6 +98,7 @@ struct Refiner {
     /// Ends in rising order.
     marked: FxHashSet<[VertexId; 2]>,
     tolerance: f64,
+    contractions: usize,
     flips: usize,
     splits: usize,
 }
@@ -160,7 +174,8 @@ impl Refiner {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
         let mut marked: Vec<[VertexId; 2]> = self.marked.into_iter().collect();
         marked.sort_unstable();
-        Ok(Refined { mesh, topology, source_face: source, marked, flips: self.flips, splits: self.splits })
+        let Self { contractions, flips, splits, .. } = self;
+        Ok(Refined { mesh, topology, source_face: source, marked, contractions, flips, splits })
     }
 }
 

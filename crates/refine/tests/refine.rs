@@ -136,3 +136,48 @@ proptest! {
         prop_assert!(longest_edge(&r) <= longest);
     }
 }
+
+/// A box with a vertex beside one of its corners, on an edge: a short crease, as booleans of CAD
+/// programs leave them.
+fn box_with_corners_side_by_side(gap: f64) -> TriMesh {
+    let point = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+    // Bottom 0 to 3, top 4 to 7, and 8 beside 6 on the edge from 6 to 7.
+    let square = |z: f64| [point(0.0, 0.0, z), point(1.0, 0.0, z), point(1.0, 1.0, z), point(0.0, 1.0, z)];
+    let positions = [square(0.0), square(1.0)].concat().into_iter().chain([point(1.0 - gap, 1.0, 1.0)]).collect();
+    let sides = [[0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 8], [2, 8, 6], [3, 7, 8], [3, 0, 4], [3, 4, 7]];
+    let ends = [[0, 2, 1], [0, 3, 2], [4, 5, 8], [5, 6, 8], [4, 8, 7]];
+    TriMesh::new(positions, sides.into_iter().chain(ends).collect()).unwrap()
+}
+
+#[test]
+fn a_short_crease_is_contracted_and_the_corner_stays() {
+    for (gap, contractions) in [(1e-4, 1), (0.1, 0)] {
+        let mesh = box_with_corners_side_by_side(gap);
+        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+        let marked = [VertexId(8), VertexId(4)];
+        let options = RefineOptions { shortest_edge: 1e-3, ..RefineOptions::new(f64::INFINITY) };
+        let r = refine(&mesh, &topology, &[marked], &options).unwrap();
+        assert_eq!(r.contractions, contractions);
+        assert_eq!(r.mesh.n_vertices(), mesh.n_vertices() - contractions);
+        assert_eq!(r.topology.euler(), topology.euler());
+        assert!((volume(&r.mesh) - 1.0).abs() < 1e-12, "{}", volume(&r.mesh));
+        // The marked edge ends at the corner then.
+        let ends = r.marked[0].map(|v| r.mesh.position(v));
+        let far = if contractions == 1 { mesh.position(VertexId(6)) } else { mesh.position(VertexId(8)) };
+        assert_eq!((r.marked.len(), ends), (1, [mesh.position(VertexId(4)), far]));
+    }
+}
+
+/// A tetrahedron, however small, has no edge to spare.
+#[test]
+fn what_would_not_stay_a_manifold_is_left() {
+    let mesh = TriMesh::new(
+        vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z].into_iter().map(|p| 1e-4 * p).collect(),
+        vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
+    )
+    .unwrap();
+    let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+    let options = RefineOptions { shortest_edge: 1.0, ..RefineOptions::new(f64::INFINITY) };
+    let r = refine(&mesh, &topology, &[], &options).unwrap();
+    assert_eq!((r.contractions, r.mesh.n_faces()), (0, 4));
+}
