@@ -143,15 +143,14 @@ const LONGEST_MOVE: f64 = 4.0;
 const STRETCH: f64 = 3.0;
 /// But by no more than what lets the arc turn by so much (degrees) within a gap, or by [`LEAST_STRETCH`]. Measured: without this rule, rims of
 /// holes lost up to a third of their circle to one edge (Brun_joint missed the input by 27e-3 of the diagonal at a mean AR of .889, with it by
-/// 2 to 4e-3 at .887 to .891).
-const MOST_TURN: f64 = 30.0;
-const LEAST_STRETCH: f64 = 1.2;
-/// The turn is that of so many gaps on both sides. Measured on fandisk and camelhead, mean AR with 1, 2 and 3: .937 and .954, .936 and .966,
-/// .932 and .969; before, .936 and .968.
+/// 3.4e-3 at .887). With 30 degrees camelhead has .004 more of mean AR, casting .973 to .975 of its creases instead of .980.
+const MOST_TURN: f64 = 45.0;
+const LEAST_STRETCH: f64 = 1.5;
+/// The turn is that of so many gaps on both sides.
 const WINDOW: f64 = 2.0;
-/// Gaps get shorter than at the start by at most this factor. Measured: on pyvi_footbones some went down to 1e-13 of the diagonal; with .05 fandisk
-/// loses .001 of mean AR, and casting .008 of its creases.
-const SHRINK: f64 = 0.01;
+/// Gaps get shorter than at the start by at most this factor. Measured: on pyvi_footbones some went down to 1e-13 of the diagonal; with .01
+/// casting loses .002 of its creases.
+const SHRINK: f64 = 0.001;
 
 /// The neighbours of `v`, at arc length `t`, on its arc.
 fn rail(surface: &Surface, topology: &Topology, map: &RegionMap, v: VertexId, arc: ArcId, t: f64) -> Result<Rail, RelaxError> {
@@ -236,7 +235,7 @@ mod tests {
     use super::*;
     use region_map::{ArcKind, Network, SheetNormals};
 
-    /// On the rim of a cylinder a gap grows to 30 degrees, or by a fifth; on its other arcs, which are straight, to three times itself.
+    /// On the rim of a cylinder a gap grows to 45 degrees, or by a half; on its other arcs, which are straight, to three times itself.
     #[test]
     fn gaps_on_a_circle_grow_less_than_on_a_line() {
         let stretches = |mesh: &mesh_core::TriMesh, gap: f64| {
@@ -247,7 +246,7 @@ mod tests {
             network.arcs.iter().map(|arc| stretch(&surface, arc, 0.5 * arc.length(), gap)).collect::<Vec<f64>>()
         };
         let cylinder = fixtures::cylinder(1.0, 1.0, 360);
-        for (degrees, expected) in [(5.0f64, 3.0), (15.0, 2.0), (20.0, 1.5), (60.0, 1.2), (120.0, 1.2)] {
+        for (degrees, expected) in [(5.0f64, 3.0), (15.0, 3.0), (20.0, 2.25), (60.0, 1.5), (120.0, 1.5)] {
             let found = stretches(&cylinder, degrees.to_radians());
             assert!(found.len() == 2 && found.iter().all(|s| (s - expected).abs() < 0.02), "{degrees}: {found:?}");
         }
