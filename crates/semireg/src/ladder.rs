@@ -35,7 +35,7 @@ const LADDER: [Rung; 5] = [
 ];
 
 /// Once results with this many triangles in all have failed, no further rung is tried. Two cores make about 10,000 triangles a second.
-const MOST_FAILED: u64 = 300_000;
+const MOST_FAILED: u64 = 400_000;
 
 /// A result that misses the input by more than this share of a base edge somewhere has lost a part of it. Measured: good results
 /// miss by .01 (fandisk) to .16 (casting); a camel without one fold of its mouth by .5.

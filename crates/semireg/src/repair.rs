@@ -11,15 +11,25 @@ use subdiv::{Bisected, Faces, SubdivDomain};
 
 /// Rounds at most. Most places come free in one or two, without a new vertex.
 const ROUNDS: usize = 12;
-/// So many rounds in a row without fewer failing triangles than ever before end them.
-const MOST_IDLE: usize = 3;
 /// Where a round leaves at most this share of the failing triangles, the next one goes on without bisections.
 const ENOUGH: f64 = 0.5;
+/// What is bisected in turn, each time from the best there was, until one leaves fewer failing triangles: a bisection may make a place worse.
+/// At a tip another edge leaves more triangles in the same angle.
+const CHOICES: [Choice; 3] = [Choice::Longest, Choice::AtTip, Choice::Shortest];
 /// Where a greater share of the triangles fails the base mesh is wrong, not a few of its faces.
 const MOST_FAILING: f64 = 2e-3;
 /// The base mesh grows by this share at most, and by [`LEAST_GROWTH`] vertices if that is more.
 const MOST_GROWTH: f64 = 0.03;
 const LEAST_GROWTH: usize = 8;
+
+/// Which edge of the base face under a failing triangle is bisected.
+#[derive(Clone, Copy, PartialEq)]
+enum Choice {
+    Longest,
+    /// The longest of those that end at the base vertex of the triangle, if it has one.
+    AtTip,
+    Shortest,
+}
 
 /// A relaxed domain with its base mesh.
 #[derive(Clone)]
@@ -48,34 +58,38 @@ pub(crate) fn repaired<'a>(
     }
     let n = start.base.mesh.n_vertices();
     let most_vertices = n + LEAST_GROWTH.max((MOST_GROWTH * n as f64) as usize);
-    let (mut now, mut around, mut least, mut idle) = (start.clone(), failing.faces.clone(), usize::MAX, 0);
+    let (mut best, mut now, mut around, mut tried) = (start.clone(), start.clone(), failing.faces.clone(), 0);
     for _ in 0..ROUNDS {
-        let before = failing.faces.len();
         let OnBase { topology, relaxed, .. } = &now;
         let places = (around.as_slice(), 1 << options.levels);
         now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, places, &options.relax.shape)?;
-        failing = Failing::of(&now, &input);
-        let left = failing.faces.len();
-        idle = if left < least { 0 } else { idle + 1 };
-        least = least.min(left);
-        if left == 0 || idle == MOST_IDLE {
-            break;
+        let found = Failing::of(&now, &input);
+        let (left, before) = (found.faces.len(), failing.faces.len());
+        if left <= before {
+            (best, failing) = (now, found);
+        }
+        if left < before {
+            tried = 0;
         }
         if left as f64 <= ENOUGH * before as f64 {
-            around = failing.faces.clone();
+            if left == 0 {
+                break;
+            }
+            (now, around) = (best.clone(), failing.faces.clone());
             continue;
         }
-        // Either edge may be the wrong one; what a round in vain has tried the next one need not.
-        let edges = edges_under(&now, &failing.faces, options.levels, idle % 2 == 1);
-        if now.base.mesh.n_vertices() + edges.len() > most_vertices {
+        let Some(&choice) = CHOICES.get(tried) else { break };
+        tried += 1;
+        let edges = edges_under(&best, &failing.faces, options.levels, choice);
+        if best.base.mesh.n_vertices() + edges.len() > most_vertices {
             break;
         }
-        let Some((next, new)) = bisected(surface, &now, &edges, options.levels)? else { break };
+        let Some((next, new)) = bisected(surface, &best, &edges, options.levels)? else { break };
         (now, around) = (next, new);
     }
     match failing {
-        Failing { faces, .. } if faces.is_empty() => Ok(now),
-        Failing { flipped, .. } if flipped > 0 => Err(Error::Folded { inverted: flipped, faces: now.relaxed.mesh.n_faces() }),
+        Failing { faces, .. } if faces.is_empty() => Ok(best),
+        Failing { flipped, .. } if flipped > 0 => Err(Error::Folded { inverted: flipped, faces: best.relaxed.mesh.n_faces() }),
         _ => Ok(start),
     }
 }
@@ -125,9 +139,8 @@ fn bisected(
     Ok(Some((OnBase { base: Cow::Owned(base), topology, relaxed }, new)))
 }
 
-/// The longest edge of the base face under each of some triangles, ends rising, in order. With `at_tips`, for a triangle at a base vertex
-/// it is one that ends there: another one leaves more triangles in the same angle.
-fn edges_under(now: &OnBase<'_>, folded: &[FaceId], levels: u32, at_tips: bool) -> Vec<[VertexId; 2]> {
+/// An edge of the base face under each of some triangles, ends rising, in order.
+fn edges_under(now: &OnBase<'_>, folded: &[FaceId], levels: u32, choice: Choice) -> Vec<[VertexId; 2]> {
     // The children of base face f are 4f to 4f + 3, and so on from level to level. Base vertices come first at all levels.
     let mut faces: BTreeMap<FaceId, Option<VertexId>> = BTreeMap::new();
     for &f in folded {
@@ -135,13 +148,15 @@ fn edges_under(now: &OnBase<'_>, folded: &[FaceId], levels: u32, at_tips: bool) 
         let known = faces.entry(FaceId(f.0 >> (2 * levels))).or_insert(tip);
         *known = known.or(tip);
     }
-    let longest = |(f, tip): (FaceId, Option<VertexId>)| {
+    let chosen = |(f, tip): (FaceId, Option<VertexId>)| {
         let [a, b, c] = now.base.mesh.faces()[f];
         let length = |&[a, b]: &[VertexId; 2]| now.relaxed.mesh.distance(a, b);
-        let edges = [[a, b], [b, c], [c, a]].into_iter().filter(|edge| !at_tips || tip.is_none_or(|tip| edge.contains(&tip)));
-        edges.max_by(|e, g| length(e).total_cmp(&length(g)))
+        let is_at_tip = |edge: &[VertexId; 2]| choice != Choice::AtTip || tip.is_none_or(|tip| edge.contains(&tip));
+        let edges = [[a, b], [b, c], [c, a]].into_iter().filter(is_at_tip);
+        let by_length = |e: &[VertexId; 2], g: &[VertexId; 2]| length(e).total_cmp(&length(g));
+        if choice == Choice::Shortest { edges.min_by(by_length) } else { edges.max_by(by_length) }
     };
-    let edges: BTreeSet<_> = faces.into_iter().filter_map(longest).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let edges: BTreeSet<_> = faces.into_iter().filter_map(chosen).map(|[a, b]| [a.min(b), a.max(b)]).collect();
     edges.into_iter().collect()
 }
 
