@@ -95,6 +95,9 @@ impl<'a> Coarse<'a> {
 
     /// The vertex to keep and the one to take away, if the edge between the two is there and may go.
     fn may_contract(&self, a: VertexId, b: VertexId, shortest: f64) -> Option<[VertexId; 2]> {
+        if !self.kept.contains(&rising(a, b)) {
+            return None; // no arc gets shorter by it
+        }
         let beside: BTreeSet<VertexId> = self.shared(a, b).into_iter().flat_map(|f| self.face(f)).collect();
         let beside: Vec<VertexId> = beside.into_iter().filter(|&v| v != a && v != b).collect();
         let common = self.neighbours(a).intersection(&self.neighbours(b)).count();
@@ -104,9 +107,6 @@ impl<'a> Coarse<'a> {
             return None;
         }
         let [at_a, at_b] = [a, b].map(|v| self.n_kept(v));
-        if !self.kept.contains(&rising(a, b)) {
-            return None; // no arc gets shorter by it
-        }
         // Borders stay, then junctions of creases.
         let rank = |v: VertexId, n: usize| (self.is_border[v], n > 2, Reverse(v));
         let [keep, gone] = if rank(a, at_a) > rank(b, at_b) { [a, b] } else { [b, a] };

@@ -12,12 +12,13 @@ pub(crate) struct Draft {
 }
 
 impl Draft {
-    pub(crate) fn new(mesh: &TriMesh, topology: &Topology) -> Self {
+    /// A mesh whose faces have these sources.
+    pub(crate) fn new(mesh: &TriMesh, topology: &Topology, source: IdVec<FaceId, FaceId>) -> Self {
         let halfedges = mesh.faces().ids().flat_map(|f| topology.halfedges(f));
         Self {
             positions: mesh.positions().clone(),
             faces: mesh.faces().clone(),
-            source: mesh.faces().ids().collect(),
+            source,
             twins: halfedges.map(|h| topology.twin(h)).collect(),
         }
     }

@@ -1,4 +1,4 @@
-//! The stage: short edges contracted, flips in planes, splits of long edges.
+//! The stage: short creases contracted, flips in planes, splits of long edges.
 
 use crate::contract::contract;
 use crate::draft::Draft;
@@ -12,7 +12,7 @@ use std::collections::BinaryHeap;
 pub struct RefineOptions {
     /// Edges longer than this are halved, in the units of the mesh, positive. Infinite: none.
     pub longest_edge: f64,
-    /// Edges shorter than this are contracted, in the units of the mesh. Default 0: none.
+    /// Creases, borders and marked edges shorter than this are contracted, in the units of the mesh. Default 0: none.
     pub shortest_edge: f64,
     /// Most faces that splitting may lead to; the longest edges come first. Default: four for each input face and 200,000 more.
     pub most_faces: Option<usize>,
@@ -66,17 +66,15 @@ pub fn refine(
     options: &RefineOptions,
 ) -> Result<Refined, RefineError> {
     let contracted = contract(mesh, topology, marked, options.shortest_edge)?;
-    let mut draft =
-        Draft::new(contracted.as_ref().map_or(mesh, |c| &c.mesh), contracted.as_ref().map_or(topology, |c| &c.topology));
-    if let Some(c) = &contracted {
-        draft.source.clone_from(&c.source);
-    }
-    let marked = contracted.as_ref().map_or(marked, |c| &c.marked);
+    let (draft, marked, contractions) = match &contracted {
+        Some(c) => (Draft::new(&c.mesh, &c.topology, c.source.clone()), &c.marked[..], c.contractions),
+        None => (Draft::new(mesh, topology, mesh.faces().ids().collect()), marked, 0),
+    };
     let mut refiner = Refiner {
         tolerance: options.flatness * mesh.diagonal(),
         marked: marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect(),
         draft,
-        contractions: contracted.as_ref().map_or(0, |c| c.contractions),
+        contractions,
         flips: 0,
         splits: 0,
     };
