@@ -1,6 +1,6 @@
 //! Options of both parts of the relaxation.
 
-use mesh_core::{FaceId, IdVec, VertexId};
+use mesh_core::{FaceId, IdVec};
 
 /// How to relax: first the paper's quadric relaxation, then shape optimisation.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,8 +9,6 @@ pub struct RelaxOptions {
     pub quadric: QuadricOptions,
     /// Shape optimisation.
     pub shape: ShapeOptions,
-    /// Vertices that stay where they are, beside those at corners; of those on arcs none. Default none.
-    pub held: Vec<VertexId>,
 }
 
 /// The paper's relaxation (section 4.3, eqs. 7 to 9).

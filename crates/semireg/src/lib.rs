@@ -13,7 +13,6 @@
 //! # Ok::<(), semireg::Error>(())
 //! ```
 
-mod anchors;
 mod base_report;
 mod base_stages;
 mod error;
