@@ -1,5 +1,5 @@
 //! What must hold for any bytes, whatever format they are read as: no panic, no hang, no memory without bound. libFuzzer watches
-//! over all three (`-timeout`, `-rss_limit_mb`).
+//! over all three (`-timeout`, `-rss_limit_mb`). The tests of `mesh-io` ask the same of broken files.
 
 use mesh_core::{CleanOptions, Soup, clean, inspect};
 use mesh_io::{Document, Format, read_bytes};
@@ -13,7 +13,7 @@ pub fn check(bytes: &[u8], format: Format) {
     check_document(&document);
     if document.soup.triangles.len() <= MOST_TRIANGLES {
         let _ = inspect(&document.soup);
-        for weld_tolerance in [None, Some(1e-3)] {
+        for weld_tolerance in [CleanOptions::default().weld_tolerance, 1e-3] {
             check_cleaning(&document.soup, &CleanOptions { weld_tolerance });
         }
     }

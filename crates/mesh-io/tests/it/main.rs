@@ -1,5 +1,8 @@
 //! One binary for all tests of the public interface.
 
+/// What fuzzing asks of any bytes, so that it stays true of the code of today.
+#[path = "../../../../fuzz/src/lib.rs"]
+pub mod fuzz;
 mod gltf;
 mod malformed;
 mod obj;
