@@ -157,12 +157,14 @@ fn finish(draft: Draft, soup: &Soup, mut report: CleanReport) -> Result<Cleaned,
             without_area: report.collapsed + report.zero_area_dropped,
         });
     }
-    let mut kept = vec![false; soup.positions.len()];
-    for &v in &draft.source_vertex {
-        kept[v as usize] = true;
-    }
-    let kept = kept.iter().filter(|&&k| k).count();
-    report.vertex_copies = draft.source_vertex.len() - report.split_edges - kept;
+    // Vertices in the middle of split edges are none of the soup's.
+    let stayed = |&(v, &source): &(VertexId, &u32)| draft.positions[v] == soup.positions[source as usize];
+    let mut sources: Vec<u32> = draft.source_vertex.enumerate().filter(stayed).map(|(_, &source)| source).collect();
+    let in_place = sources.len();
+    sources.sort_unstable();
+    sources.dedup();
+    let kept = sources.len();
+    report.vertex_copies = in_place - kept;
     report.unused_vertices = soup.positions.len() - report.merged_exactly - report.merged_by_tolerance - kept;
     report.turned = draft.turned.iter().filter(|&&t| t).count();
     let faces = draft.faces.iter().map(|f| f.map(|v| v.0)).collect();

@@ -233,6 +233,20 @@ fn flips_end_where_products_underflow() {
 }
 
 #[test]
+fn the_middle_of_a_split_edge_may_be_dropped_again() {
+    // Found by fuzzing: the number of vertex copies was one below 0.
+    let mut positions = [[0.0; 3]; 20];
+    let lone = [(3, 1.7e-313), (4, 1.0), (11, 3e-241), (15, 1.0), (16, 5.3e-308), (18, 1.0)];
+    lone.iter().for_each(|&(v, z): &(usize, f64)| positions[v][2] = z);
+    positions[19][1] = 1.0;
+    let mut faces = vec![[1, 3, 2], [1, 4, 3], [0, 5, 4], [1, 0, 4], [2, 3, 9], [3, 4, 10], [3, 10, 9], [4, 5, 11], [4, 11, 10]];
+    faces.extend([[5, 6, 12], [5, 12, 11], [6, 13, 12], [7, 8, 15], [7, 15, 14], [8, 16, 15], [10, 11, 16], [11, 15, 16]]);
+    faces.extend([[11, 12, 15], [12, 14, 15], [12, 13, 14], [17, 18, 19]]);
+    let report = cleaned(&soup(&positions, &faces)).report;
+    assert_eq!((report.split_edges, report.vertex_copies), (1, 0));
+}
+
+#[test]
 fn at_a_border_a_face_without_area_is_dropped() {
     let positions = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
     let cleaned = cleaned(&soup(&positions, &[[0, 1, 2], [0, 2, 3], [2, 1, 3]]));
