@@ -4,6 +4,7 @@
 
 use crate::{EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
 
 /// Why faces are not an oriented manifold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -206,6 +207,23 @@ impl Topology {
         (region, count as usize)
     }
 
+    /// Some faces, sorted into clusters: faces with a common vertex are in one. In the order of their first faces.
+    pub fn clusters(&self, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
+        let mut left: BTreeSet<FaceId> = faces.iter().copied().collect();
+        let mut clusters = Vec::new();
+        while let Some(first) = left.pop_first() {
+            let mut cluster = vec![first];
+            let mut next = 0;
+            while let Some(&f) = cluster.get(next) {
+                let around = self.face(f).into_iter().flat_map(|v| self.fan(v)).map(HalfedgeId::face);
+                cluster.extend(around.filter(|g| left.remove(g)));
+                next += 1;
+            }
+            clusters.push(cluster);
+        }
+        clusters
+    }
+
     /// The border loops, each as the halfedges along it in order (the surface on their left).
     pub fn border_loops(&self) -> Vec<Vec<HalfedgeId>> {
         let mut seen = IdVec::<HalfedgeId, bool>::filled(false, self.twins.len());
@@ -279,6 +297,17 @@ mod tests {
             let [a, b] = t.ends(e);
             assert_eq!(t.find_edge(b, a), Some(e));
         }
+    }
+
+    #[test]
+    fn clusters_hang_together_by_vertices() {
+        // A strip of six triangles, each with a vertex in common with the two before it.
+        let strip: Vec<[u32; 3]> = (0..6).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
+        let t = topology(&strip).unwrap();
+        let clusters = |faces: &[u32]| t.clusters(&faces.iter().map(|&f| FaceId(f)).collect::<Vec<_>>());
+        assert_eq!(clusters(&[0, 3]), [[FaceId(0)], [FaceId(3)]]);
+        assert_eq!(clusters(&[5, 0, 3]), [vec![FaceId(0)], vec![FaceId(3), FaceId(5)]]);
+        assert!(clusters(&[]).is_empty());
     }
 
     #[test]

@@ -17,6 +17,8 @@ pub(crate) struct Metric {
     pub(crate) power: f64,
     /// Weight of the size term.
     pub(crate) size_weight: f64,
+    /// No energy exceeds this: `e` counts as `e cap / (e + cap)`.
+    pub(crate) cap: f64,
 }
 
 /// A triangle on the surface.
@@ -46,6 +48,12 @@ pub(crate) struct Expansion {
     pub(crate) aa: f64,
 }
 
+impl Metric {
+    fn uncapped(&self, q: f64, r: f64) -> f64 {
+        q.powf(self.power) + 0.5 * self.size_weight * (r + 1.0 / r)
+    }
+}
+
 impl Triangle {
     /// `|a|^2 + |b|^2 + |c|^2 = EQUILATERAL * area` for an equilateral triangle: 4 sqrt 3.
     const EQUILATERAL: f64 = 6.928_203_230_275_509;
@@ -65,18 +73,18 @@ impl Triangle {
         (y, y / root)
     }
 
-    /// The energy; infinite for an inverted triangle without regularisation.
+    /// The energy; the cap for an inverted triangle without regularisation.
     pub(crate) fn energy(&self, metric: &Metric) -> f64 {
         let (y, _) = self.positive_area();
         if y.is_nan() || y <= 0.0 {
-            return f64::INFINITY;
+            return metric.cap;
         }
         let q = self.squared_lengths() / (Self::EQUILATERAL * y);
         let r = y / self.target;
-        q.powf(metric.power) + 0.5 * metric.size_weight * (r + 1.0 / r)
+        1.0 / (1.0 / metric.uncapped(q, r) + 1.0 / metric.cap)
     }
 
-    /// Gradient and second-order model. The energy must be finite.
+    /// Gradient and second-order model. The energy must be finite. The cap is concave: only its slope counts in the model.
     pub(crate) fn expansion(&self, metric: &Metric) -> Expansion {
         let [p0, p1, p2] = self.corners;
         let (y, slope) = self.positive_area();
@@ -89,18 +97,20 @@ impl Triangle {
         let shape_1 = metric.power * q.powf(metric.power - 1.0);
         let shape_2 = metric.power * (metric.power - 1.0) * q.powf(metric.power - 2.0);
         let r = y / self.target;
+        // The slope of the cap.
+        let s = (1.0 + metric.uncapped(q, r) / metric.cap).powi(-2);
         let size_1 = 0.5 * metric.size_weight * (1.0 - 1.0 / (r * r)) / self.target;
         let size_2 = metric.size_weight / (r * r * r * self.target * self.target);
 
-        let (by_l, by_y) = (shape_1 * q_l, shape_1 * q_y + size_1);
+        let (by_l, by_y) = (s * shape_1 * q_l, s * (shape_1 * q_y + size_1));
         Expansion {
             gradient: [0, 1, 2].map(|i| by_l * lengths[i] + by_y * areas[i]),
             lengths,
             areas,
             stiffness: by_l,
-            ll: shape_2 * q_l * q_l,
-            la: shape_1 * q_ly + shape_2 * q_l * q_y,
-            aa: shape_1 * q_yy + shape_2 * q_y * q_y + size_2,
+            ll: s * shape_2 * q_l * q_l,
+            la: s * (shape_1 * q_ly + shape_2 * q_l * q_y),
+            aa: s * (shape_1 * q_yy + shape_2 * q_y * q_y + size_2),
         }
     }
 }
@@ -109,7 +119,7 @@ impl Triangle {
 mod tests {
     use super::*;
 
-    const METRIC: Metric = Metric { power: 2.0, size_weight: 0.3 };
+    const METRIC: Metric = Metric { power: 2.0, size_weight: 0.3, cap: f64::INFINITY };
 
     fn triangle(eps: f64) -> Triangle {
         let corners = [DVec3::new(0.1, 0.2, 0.3), DVec3::new(1.2, 0.1, 0.5), DVec3::new(0.4, 0.8, 0.2)];
@@ -128,15 +138,15 @@ mod tests {
     /// The gradient is that of the energy, upright and inverted.
     #[test]
     fn gradient_by_differences() {
-        for (normal, eps) in [(1.0, 0.0), (1.0, 0.2), (-1.0, 0.2)] {
-            let t = triangle(eps);
+        for (normal, eps, cap) in [(1.0, 0.0, f64::INFINITY), (1.0, 0.0, 2.0), (1.0, 0.2, 50.0), (-1.0, 0.2, f64::INFINITY)] {
+            let (t, metric) = (triangle(eps), Metric { cap, ..METRIC });
             let t = Triangle { normal: normal * t.normal, ..t };
-            let gradient = t.expansion(&METRIC).gradient;
+            let gradient = t.expansion(&metric).gradient;
             for (corner, axis) in (0..3).flat_map(|c| DVec3::AXES.map(|a| (c, a))) {
                 let at = |step: f64| {
                     let mut moved = t;
                     moved.corners[corner] += step * axis;
-                    moved.energy(&METRIC)
+                    moved.energy(&metric)
                 };
                 let slope = (at(1e-5) - at(-1e-5)) / 2e-5;
                 assert!((slope - gradient[corner].dot(axis)).abs() < 1e-6 * (1.0 + slope.abs()), "{slope}");

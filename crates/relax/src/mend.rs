@@ -9,11 +9,11 @@ use crate::placement::{Placement, Spot};
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// Triangles worse than this (AR, negative when folded) are mended.
 const SOUND: f64 = 0.02;
-/// Beyond this share of folded triangles the map is wrong, not a few vertices.
+/// Beyond this share of folded triangles of a whole domain nothing is mended.
 const MOST_FOLDED: f64 = 0.01;
 /// Sheets this near to each other, as a share of the diagonal, are in the same place.
 const TOUCHING: f64 = 1e-4;
@@ -25,30 +25,40 @@ const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
 
 /// Mends placements of one domain. The surface is indexed when first asked for.
 pub(crate) struct Mender<'a> {
-    domain: &'a Domain<'a>,
-    index: &'a OnceCell<SurfaceIndex>,
+    pub(crate) domain: &'a Domain<'a>,
+    index: &'a OnceLock<SurfaceIndex>,
+    /// With more folded triangles than these the map is wrong, not a few vertices.
+    most: f64,
 }
 
 impl<'a> Mender<'a> {
-    pub(crate) fn new(domain: &'a Domain<'a>, index: &'a OnceCell<SurfaceIndex>) -> Self {
-        Self { domain, index }
+    pub(crate) fn new(domain: &'a Domain<'a>, index: &'a OnceLock<SurfaceIndex>) -> Self {
+        Self { domain, index, most: MOST_FOLDED * domain.topology.n_faces() as f64 }
+    }
+
+    /// The same for a part of the domain.
+    pub(crate) fn of_part<'b>(&self, domain: &'b Domain<'b>) -> Mender<'b>
+    where
+        'a: 'b,
+    {
+        Mender { domain, ..*self }
     }
 
     /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
     pub(crate) fn mend_folds(&self, placement: &mut Placement) {
-        let most = MOST_FOLDED * self.domain.topology.n_faces() as f64;
         // Where the normals at the corners tell of too many, the surface is not asked: it could only add to them. Otherwise it is, for
         // every triangle: one that bridges a slit may look sound.
         let folded = |f: &FaceId| signed_quality(self.domain, placement, *f) < SOUND;
-        if self.domain.moving.par_iter().filter(|f| folded(f)).count() as f64 > most {
+        let faces: Vec<FaceId> = self.domain.topology.faces().ids().collect();
+        if faces.par_iter().filter(|f| folded(f)).count() as f64 > self.most {
             return;
         }
         let mesh = self.domain.surface.mesh;
         let sight =
             Sight { domain: self.domain, index: self.index.get_or_init(|| SurfaceIndex::new(mesh)), diagonal: mesh.diagonal() };
-        let mut folds = sight.folds(placement, self.domain.moving.clone());
+        let mut folds = sight.folds(placement, faces);
         for _ in 0..ROUNDS {
-            if folds.is_empty() || folds.len() as f64 > most {
+            if folds.is_empty() || folds.len() as f64 > self.most {
                 return;
             }
             let moved: Vec<VertexId> = self.domain.around(&folds).into_iter().filter(|&v| sight.improve(placement, v)).collect();
@@ -83,7 +93,7 @@ impl Sight<'_> {
 
     /// Moves a vertex to the best place that it finds; false where it stays.
     fn improve(&self, placement: &mut Placement, v: VertexId) -> bool {
-        if self.domain.is_held(v) || matches!(self.domain.freedoms[v], Freedom::Fixed) {
+        if matches!(self.domain.freedoms[v], Freedom::Fixed) {
             return false;
         }
         let start = placement[v];

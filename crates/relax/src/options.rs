@@ -1,6 +1,6 @@
 //! Options of both parts of the relaxation.
 
-use mesh_core::{FaceId, IdVec};
+use mesh_core::{FaceId, IdVec, VertexId};
 
 /// How to relax: first the paper's quadric relaxation, then shape optimisation.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,6 +9,8 @@ pub struct RelaxOptions {
     pub quadric: QuadricOptions,
     /// Shape optimisation.
     pub shape: ShapeOptions,
+    /// Vertices inside sheets that stay where they are. Those on arcs slide all the same. Default none.
+    pub held: Vec<VertexId>,
 }
 
 /// The paper's relaxation (section 4.3, eqs. 7 to 9).

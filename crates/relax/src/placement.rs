@@ -45,10 +45,8 @@ impl Placement {
 
     /// All vertices displaced at once.
     pub(crate) fn displaced(&self, domain: &Domain, displacement: impl Fn(VertexId) -> DVec3 + Sync) -> Self {
-        let spots: Vec<Spot> = domain.free.par_iter().map(|&v| domain.displaced(self, v, displacement(v))).collect();
-        let mut displaced = self.clone();
-        domain.free.iter().zip(spots).for_each(|(&v, spot)| displaced.0[v] = spot);
-        displaced
+        let vertices: Vec<VertexId> = domain.freedoms.ids().collect();
+        Self(IdVec::from_vec(vertices.into_par_iter().map(|v| domain.displaced(self, v, displacement(v))).collect()))
     }
 
     /// Puts one vertex elsewhere.
@@ -74,11 +72,11 @@ impl Placement {
     /// Brings back the vertices of all faces for which `is_bad` holds here, then those of faces that this makes bad, until none
     /// is left. A face whose three vertices are back where they were in `before` must not be bad.
     pub(crate) fn take_back(&mut self, domain: &Domain, before: &Self, is_bad: impl Fn(&Self, FaceId) -> bool + Sync) {
-        let mut suspects = domain.moving.clone();
+        let mut suspects: Vec<FaceId> = domain.topology.faces().ids().collect();
         while !suspects.is_empty() {
             let bad: Vec<FaceId> = suspects.into_par_iter().filter(|&f| is_bad(self, f)).collect();
             let corners = bad.into_iter().flat_map(|f| domain.topology.face(f));
-            let mut vertices: Vec<VertexId> = corners.filter(|&v| !domain.is_held(v)).collect();
+            let mut vertices: Vec<VertexId> = corners.collect();
             vertices.sort_unstable();
             vertices.dedup();
             for &v in &vertices {
@@ -158,7 +156,7 @@ impl Domain<'_> {
     /// The place of `v` after a displacement, as far as arcs and neighbours on them let it.
     pub(crate) fn displaced(&self, placement: &Placement, v: VertexId, displacement: DVec3) -> Spot {
         let spot = placement[v];
-        if displacement == DVec3::ZERO || self.is_held(v) {
+        if displacement == DVec3::ZERO {
             return spot;
         }
         match &self.freedoms[v] {

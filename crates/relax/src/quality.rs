@@ -17,10 +17,11 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Measures the faces of a placement that can change.
+    /// Measures all faces of a placement.
     pub(crate) fn of(placement: &Placement, domain: &Domain) -> Self {
         let upright = |f: FaceId| (placement.signed_area(domain, f) > 0.0).then(|| aspect_ratio(placement.triangle(domain, f)));
-        let ratios: Vec<Option<f64>> = domain.moving.par_iter().map(|&f| upright(f)).collect();
+        let faces: Vec<FaceId> = domain.topology.faces().ids().collect();
+        let ratios: Vec<Option<f64>> = faces.into_par_iter().map(upright).collect();
         let (mut sum, mut least, mut inverted) = (0.0, 1.0f64, 0);
         for ratio in &ratios {
             inverted += usize::from(ratio.is_none());

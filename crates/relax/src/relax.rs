@@ -3,18 +3,16 @@
 use crate::domain::Domain;
 use crate::mend::Mender;
 use crate::placement::Placement;
+use crate::places::relax_places;
 use crate::quadric::relax_quadric;
 use crate::shape::{optimise_shape, target_areas};
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
-use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, IdVec, Topology, TriMesh};
 use region_map::{RegionMap, Surface};
-use std::cell::OnceCell;
-use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 /// Mean quality that the shape optimisation may give up: where the start is good, it is the worst triangles that it lifts.
 const SLACK: f64 = 2e-3;
-/// The same round a fold: there the worst triangle is all that counts.
-const LOCAL_SLACK: f64 = 0.1;
 
 /// A relaxed domain.
 #[derive(Clone, Debug)]
@@ -61,14 +59,18 @@ pub fn relax(
     options: &RelaxOptions,
 ) -> Result<Relaxed, RelaxError> {
     let mesh = domain;
-    let domain = Domain::new(surface, topology, map)?;
-    let start = Placement::of_map(&domain, map);
-    let start_quality = Quality::of(&start, &domain);
+    let mut domain = Domain::new(surface, topology, map)?;
+    domain.hold(&options.held);
+    let placement = Placement::of_map(&domain, map);
+    let start = Quality::of(&placement, &domain);
 
-    let (relaxed, quadric_iterations) = relax_quadric(&domain, start, &options.quadric);
+    let index = OnceLock::new();
+    let mender = Mender::new(&domain, &index);
+    let (relaxed, quadric_iterations) = relax_quadric(&domain, placement, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &domain);
-    let (best, end, shape_steps) = best_shape(&domain, map, &OnceCell::new(), (relaxed, after_quadric), SLACK, &options.shape)?;
-    let report = RelaxReport { start: start_quality, after_quadric, end, quadric_iterations, shape_steps };
+    let targets = target_areas(&domain, &map.sheet_of_face, &relaxed, &options.shape.target)?;
+    let (best, end, shape_steps) = best_shape(&mender, &targets, (relaxed, after_quadric), SLACK, &options.shape);
+    let report = RelaxReport { start, after_quadric, end, quadric_iterations, shape_steps };
     finished(&domain, mesh, map, best, report)
 }
 
@@ -81,23 +83,16 @@ pub fn relax_around(
     domain: &TriMesh,
     topology: &Topology,
     map: &RegionMap,
-    (faces, edges): (&[FaceId], usize),
+    places: (&[FaceId], usize),
     options: &ShapeOptions,
 ) -> Result<Relaxed, RelaxError> {
     let mesh = domain;
-    let mut domain = Domain::new(surface, topology, map)?;
-    let all: Vec<VertexId> = domain.free.clone();
+    let domain = Domain::new(surface, topology, map)?;
     let mut placement = Placement::of_map(&domain, map);
     let start = Quality::of(&placement, &domain);
-    let (index, mut shape_steps) = (OnceCell::new(), 0);
-    for place in places(topology, faces) {
-        domain.free_only(within(topology, &place, edges));
-        let before = Quality::of(&placement, &domain);
-        let (best, _, steps) = best_shape(&domain, map, &index, (placement, before), LOCAL_SLACK, options)?;
-        placement = best;
-        shape_steps += steps;
-    }
-    domain.free_only(all);
+    let targets = target_areas(&domain, &map.sheet_of_face, &placement, &options.target)?;
+    let index = OnceLock::new();
+    let shape_steps = relax_places(&Mender::new(&domain, &index), &targets, &mut placement, places, options);
     let end = Quality::of(&placement, &domain);
     finished(&domain, mesh, map, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
 }
@@ -114,51 +109,23 @@ fn inverted_of(domain: &Domain, placement: &Placement) -> Vec<FaceId> {
     domain.topology.faces().ids().filter(|&f| placement.signed_area(domain, f) <= 0.0).collect()
 }
 
-/// Some faces, sorted into places that have no vertex in common.
-fn places(topology: &Topology, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
-    let mut left: BTreeSet<FaceId> = faces.iter().copied().collect();
-    let mut places = Vec::new();
-    while let Some(first) = left.pop_first() {
-        let mut place = vec![first];
-        let mut next = 0;
-        while let Some(&f) = place.get(next) {
-            let around = topology.face(f).into_iter().flat_map(|v| topology.fan(v)).map(HalfedgeId::face);
-            place.extend(around.filter(|g| left.remove(g)));
-            next += 1;
-        }
-        places.push(place);
-    }
-    places
-}
-
-/// The vertices at most so many edges away from some faces, in rising order.
-fn within(topology: &Topology, faces: &[FaceId], edges: usize) -> Vec<VertexId> {
-    let mut reached: BTreeSet<VertexId> = faces.iter().flat_map(|&f| topology.face(f)).collect();
-    let mut last: Vec<VertexId> = reached.iter().copied().collect();
-    for _ in 0..edges {
-        last = last.into_iter().flat_map(|v| topology.one_ring(v)).filter(|&w| reached.insert(w)).collect();
-    }
-    reached.into_iter().collect()
-}
-
 /// The start with optimised shapes, or itself where it was better; its quality, and the number of Newton steps.
-fn best_shape(
-    domain: &Domain,
-    map: &RegionMap,
-    index: &OnceCell<SurfaceIndex>,
+pub(crate) fn best_shape(
+    mender: &Mender,
+    targets: &IdVec<FaceId, f64>,
     (start, start_quality): (Placement, Quality),
     slack: f64,
     options: &ShapeOptions,
-) -> Result<(Placement, Quality, usize), RelaxError> {
-    let mender = Mender::new(domain, index);
-    let (mut best, mut shape_steps) = shaped_and_mended(domain, map, &mender, &start, options)?;
+) -> (Placement, Quality, usize) {
+    let domain = mender.domain;
+    let (mut best, mut shape_steps) = shaped_and_mended(mender, targets, &start, options);
     let mut end = Quality::of(&best, domain);
     if end.inverted > 0 {
         // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
         let smooth_only = ShapeOptions { untangling_steps: 0, ..options.clone() };
         let mut mended = start.clone();
         mender.mend_folds(&mut mended);
-        let (other, steps) = shaped_and_mended(domain, map, &mender, &mended, &smooth_only)?;
+        let (other, steps) = shaped_and_mended(mender, targets, &mended, &smooth_only);
         let quality = Quality::of(&other, domain);
         shape_steps += steps;
         if quality.is_better_than(&end) {
@@ -169,7 +136,7 @@ fn best_shape(
     if start_quality.is_better_than(&end_at_least) {
         (best, end) = (start, start_quality);
     }
-    Ok((best, end, shape_steps))
+    (best, end, shape_steps)
 }
 
 fn finished(
@@ -186,14 +153,12 @@ fn finished(
 
 /// Shape optimisation, and then the mending of what it left folded. Returns the number of Newton steps, too.
 fn shaped_and_mended(
-    domain: &Domain,
-    map: &RegionMap,
     mender: &Mender,
+    targets: &IdVec<FaceId, f64>,
     start: &Placement,
     options: &ShapeOptions,
-) -> Result<(Placement, usize), RelaxError> {
-    let targets = target_areas(domain, &map.sheet_of_face, start, &options.target)?;
-    let (mut placement, steps) = optimise_shape(domain, start.clone(), &targets, options);
+) -> (Placement, usize) {
+    let (mut placement, steps) = optimise_shape(mender.domain, start.clone(), targets, options);
     mender.mend_folds(&mut placement);
-    Ok((placement, steps))
+    (placement, steps)
 }

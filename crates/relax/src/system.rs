@@ -2,35 +2,35 @@
 
 use conjugate_gradients::solve;
 use glam::{DMat2, DVec2};
-use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
+use mesh_core::{HalfedgeId, Id as _, IdVec, Topology, VertexId};
 
 /// Where each unknown's row and each face's entries are. Made once for a domain.
 pub(crate) struct Pattern {
     /// Start of every row in `columns`, and the end of the last.
     starts: Vec<usize>,
     columns: Vec<u32>,
-    /// For every halfedge of the faces that can change, face by face, the entries (from, to) and (to, from); `None` where an end is held.
-    entries: Vec<Option<[usize; 2]>>,
+    /// For every halfedge the entries (from, to) and (to, from).
+    entries: IdVec<HalfedgeId, [usize; 2]>,
 }
 
 impl Pattern {
-    /// The pattern of the free vertices, each an unknown, and of the faces that can change.
-    pub(crate) fn new(topology: &Topology, free: &[VertexId], slots: &IdVec<VertexId, Option<u32>>, moving: &[FaceId]) -> Self {
+    /// The pattern of a mesh with an unknown at every vertex.
+    pub(crate) fn new(topology: &Topology) -> Self {
         let (mut starts, mut columns) = (vec![0], Vec::new());
-        for &v in free {
-            columns.extend(topology.one_ring(v).filter_map(|w| slots[w]));
+        for v in (0..topology.n_vertices()).map(VertexId::new) {
+            columns.extend(topology.one_ring(v).map(|w| w.0));
             starts.push(columns.len());
         }
-        let entry = |v: u32, w: u32| {
-            let row = starts[v as usize]..starts[v as usize + 1];
+        let entry = |v: VertexId, w: VertexId| {
+            let row = starts[v.index()]..starts[v.index() + 1];
             // Every neighbour is in its row.
-            row.start + columns[row].iter().position(|&c| c == w).unwrap_or(0)
+            row.start + columns[row].iter().position(|&c| c == w.0).unwrap_or(0)
         };
         let entries = |h: HalfedgeId| {
-            let (v, w) = (slots[topology.from(h)]?, slots[topology.to(h)]?);
-            Some([entry(v, w), entry(w, v)])
+            let (v, w) = (topology.from(h), topology.to(h));
+            [entry(v, w), entry(w, v)]
         };
-        let entries = moving.iter().flat_map(|&f| topology.halfedges(f)).map(entries).collect();
+        let entries = topology.faces().ids().flat_map(|f| topology.halfedges(f)).map(entries).collect();
         Self { starts, columns, entries }
     }
 }
@@ -52,8 +52,8 @@ pub(crate) struct Element {
 }
 
 impl<'a> System<'a> {
-    /// The sum of all elements, one for each face that can change; `unknowns` are the slots of its corners.
-    pub(crate) fn assemble(pattern: &'a Pattern, unknowns: impl Iterator<Item = [Option<u32>; 3]>, elements: &[Element]) -> Self {
+    /// The sum of all elements, one for each face.
+    pub(crate) fn assemble(pattern: &'a Pattern, topology: &Topology, elements: &[Element]) -> Self {
         let n = pattern.starts.len() - 1;
         let mut system = Self {
             pattern,
@@ -61,16 +61,14 @@ impl<'a> System<'a> {
             blocks: vec![DMat2::ZERO; pattern.columns.len()],
             right: vec![DVec2::ZERO; n],
         };
-        for ((i, unknowns), element) in unknowns.enumerate().zip(elements) {
-            for (k, unknown) in unknowns.into_iter().enumerate() {
-                if let Some(v) = unknown {
-                    system.diagonal[v as usize] += element.diagonal[k];
-                    system.right[v as usize] += element.right[k];
-                }
-                if let Some([there, back]) = pattern.entries[3 * i + k] {
-                    system.blocks[there] += element.off_diagonal[k];
-                    system.blocks[back] += element.off_diagonal[k].transpose();
-                }
+        for (f, element) in topology.faces().ids().zip(elements) {
+            for (k, h) in topology.halfedges(f).into_iter().enumerate() {
+                let v = topology.from(h).index();
+                system.diagonal[v] += element.diagonal[k];
+                system.right[v] += element.right[k];
+                let [there, back] = pattern.entries[h];
+                system.blocks[there] += element.off_diagonal[k];
+                system.blocks[back] += element.off_diagonal[k].transpose();
             }
         }
         system
@@ -111,15 +109,13 @@ mod tests {
     fn solves_a_laplacian() {
         let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]].map(|f| f.map(VertexId));
         let topology = Topology::new(&IdVec::from_vec(faces.to_vec()), 4).unwrap();
-        let faces: Vec<FaceId> = topology.faces().ids().collect();
-        let slots: IdVec<VertexId, Option<u32>> = (0..4).map(Some).collect();
-        let pattern = Pattern::new(&topology, &[0, 1, 2, 3].map(VertexId), &slots, &faces);
+        let pattern = Pattern::new(&topology);
         // Each edge is in two faces, each vertex in three: diagonal 3 + 1, off the diagonal -1.
         let only_x = DMat2::from_diagonal(DVec2::X);
         let element =
             || Element { diagonal: [only_x * (4.0 / 3.0); 3], off_diagonal: [only_x * -0.5; 3], right: [DVec2::ZERO; 3] };
         let elements: Vec<_> = (0..4).map(|_| element()).collect();
-        let mut system = System::assemble(&pattern, faces.iter().map(|&f| topology.face(f).map(|v| slots[v])), &elements);
+        let mut system = System::assemble(&pattern, &topology, &elements);
         let expected = [1.0, -2.0, 0.5, 3.0].map(|x| DVec2::new(x, 0.0));
         system.right = (0..4).map(|v| system.row(&expected, v)).collect();
         assert_eq!(system.right[0], DVec2::new(4.0 - 1.5, 0.0));

@@ -94,7 +94,12 @@ impl<'a> Study<'a> {
             ("uniform weights, without the plane term", QuadricOptions { plane_weight: 0.0, ..iterated.clone() }),
             ("adaptive weights, with the plane term", QuadricOptions { weights: Weights::Adaptive, ..iterated }),
         ] {
-            self.relaxed_row("quadric relaxation", name, start, &RelaxOptions { quadric, shape: no_shape() })?;
+            self.relaxed_row(
+                "quadric relaxation",
+                name,
+                start,
+                &RelaxOptions { quadric, shape: no_shape(), ..Default::default() },
+            )?;
         }
         Ok(())
     }
@@ -103,7 +108,7 @@ impl<'a> Study<'a> {
     fn relaxations(&self, start: &Projected) -> Result<(), Box<dyn Error>> {
         let no_quadric = QuadricOptions { iterations: 0, ..QuadricOptions::default() };
         for (name, options) in [
-            ("none, but folds mended", RelaxOptions { quadric: no_quadric.clone(), shape: no_shape() }),
+            ("none, but folds mended", RelaxOptions { quadric: no_quadric.clone(), shape: no_shape(), ..Default::default() }),
             ("quadric part alone", RelaxOptions { shape: no_shape(), ..RelaxOptions::default() }),
             ("shape optimisation alone", RelaxOptions { quadric: no_quadric, ..RelaxOptions::default() }),
             ("both (ours)", RelaxOptions::default()),

@@ -13,6 +13,7 @@
 //! # Ok::<(), semireg::Error>(())
 //! ```
 
+mod anchors;
 mod base_report;
 mod base_stages;
 mod error;

@@ -1,5 +1,6 @@
 //! The stages in order.
 
+use crate::anchors::relax_anchored;
 use crate::base_stages::{BaseStages, Way};
 use crate::fitting::fit_and_certify;
 use crate::input::Input;
@@ -110,8 +111,8 @@ pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSec
         // The relaxation of a large result that starts out so takes minutes, and fails.
         is_worth_more(relax::inverted(&surface, &topology, &projected.region)?.len(), n_faces, HOPELESS_AT_FIRST)?;
     }
-    let relaxed =
-        seconds.time("relax", || relax::relax(&surface, &projected.mesh, &topology, &projected.region, &options.relax))?;
+    let of_base = (&topology, base.mesh.n_vertices());
+    let relaxed = seconds.time("relax", || relax_anchored(&surface, &cleaned.mesh, &projected, of_base, &options.relax))?;
     is_worth_more(relaxed.inverted.len(), n_faces, HOPELESS)?;
     let as_it_is = OnBase { base: Cow::Borrowed(base), topology, relaxed };
     let OnBase { base, topology, relaxed } = match stages.way {

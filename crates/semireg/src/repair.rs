@@ -9,18 +9,32 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use subdiv::{Bisected, Faces, SubdivDomain};
 
-/// Rounds at most. Most places come free in one or two, without a new vertex.
-const ROUNDS: usize = 12;
-/// Where a round leaves at most this share of the failing triangles, the next one goes on without bisections.
-const ENOUGH: f64 = 0.5;
-/// What is bisected in turn, each time from the best there was, until one leaves fewer failing triangles: a bisection may make a place worse.
-/// At a tip another edge leaves more triangles in the same angle.
-const CHOICES: [Choice; 3] = [Choice::Longest, Choice::AtTip, Choice::Shortest];
+/// What is tried at most. Most places come free at the first or second try, without a new vertex.
+const MOST_TRIES: usize = 30;
+/// What is tried in turn, each time from the best there was, until fewer triangles fail. Reaches are in edges of the base mesh: another one
+/// often frees what the first did not, at no cost in base vertices. At a tip another edge leaves more triangles in the same angle.
+const TRIES: [Try; 6] = [
+    Try::Relax(1.0),
+    Try::Relax(0.5),
+    Try::Relax(2.0),
+    Try::Bisect(Choice::Longest),
+    Try::Bisect(Choice::AtTip),
+    Try::Bisect(Choice::Shortest),
+];
 /// Where a greater share of the triangles fails the base mesh is wrong, not a few of its faces.
 const MOST_FAILING: f64 = 2e-3;
 /// The base mesh grows by this share at most, and by [`LEAST_GROWTH`] vertices if that is more.
 const MOST_GROWTH: f64 = 0.03;
 const LEAST_GROWTH: usize = 8;
+
+/// What may free failing triangles.
+#[derive(Clone, Copy)]
+enum Try {
+    /// Relaxing all that is so far around.
+    Relax(f64),
+    /// Bisecting edges of the base faces under them, and relaxing what is one edge around.
+    Bisect(Choice),
+}
 
 /// Which edge of the base face under a failing triangle is bisected.
 #[derive(Clone, Copy, PartialEq)]
@@ -44,7 +58,7 @@ pub(crate) struct OnBase<'a> {
 ///
 /// First the triangles around are relaxed by themselves: among hundreds of thousands a few have little say. Then the base faces under the
 /// folds are bisected. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so the relaxed places are
-/// the start of the next round.
+/// the start of the next try.
 pub(crate) fn repaired<'a>(
     surface: &Surface,
     cleaned: &TriMesh,
@@ -53,44 +67,63 @@ pub(crate) fn repaired<'a>(
 ) -> Result<OnBase<'a>, Error> {
     let Ok(input) = certify::Surface::new(cleaned) else { return Ok(start) };
     let mut failing = Failing::of(&start, &input);
-    if failing.faces.is_empty() || failing.faces.len() as f64 > MOST_FAILING * start.relaxed.mesh.n_faces() as f64 {
+    if failing.faces.len() as f64 > MOST_FAILING * start.relaxed.mesh.n_faces() as f64 {
         return Ok(start);
     }
     let n = start.base.mesh.n_vertices();
     let most_vertices = n + LEAST_GROWTH.max((MOST_GROWTH * n as f64) as usize);
-    let (mut best, mut now, mut around, mut tried) = (start.clone(), start.clone(), failing.faces.clone(), 0);
-    for _ in 0..ROUNDS {
-        let OnBase { topology, relaxed, .. } = &now;
-        let places = (around.as_slice(), 1 << options.levels);
-        now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, places, &options.relax.shape)?;
+    let (mut best, mut hopeless, mut tried) = (start, 0, 0);
+    for _ in 0..MOST_TRIES {
+        // Groups that all tries have failed on come first.
+        let groups = failing.groups(&best.topology);
+        let Some(faces) = groups.get(hopeless) else { break };
+        let Some(&attempt) = TRIES.get(tried) else {
+            (hopeless, tried) = (hopeless + 1, 0);
+            continue;
+        };
+        tried += 1;
+        let Some(now) = attempt.on(surface, &best, faces, most_vertices, options)? else { continue };
         let found = Failing::of(&now, &input);
-        let (left, before) = (found.faces.len(), failing.faces.len());
-        if left <= before {
-            (best, failing) = (now, found);
-        }
-        if left < before {
+        if found.faces.len() < failing.faces.len() {
             tried = 0;
         }
-        if left as f64 <= ENOUGH * before as f64 {
-            if left == 0 {
-                break;
-            }
-            (now, around) = (best.clone(), failing.faces.clone());
-            continue;
+        if found.faces.len() <= failing.faces.len() {
+            (best, failing) = (now, found);
         }
-        let Some(&choice) = CHOICES.get(tried) else { break };
-        tried += 1;
-        let edges = edges_under(&best, &failing.faces, options.levels, choice);
-        if best.base.mesh.n_vertices() + edges.len() > most_vertices {
-            break;
-        }
-        let Some((next, new)) = bisected(surface, &best, &edges, options.levels)? else { break };
-        (now, around) = (next, new);
     }
-    match failing {
-        Failing { faces, .. } if faces.is_empty() => Ok(best),
-        Failing { flipped, .. } if flipped > 0 => Err(Error::Folded { inverted: flipped, faces: best.relaxed.mesh.n_faces() }),
-        _ => Ok(start),
+    // What has no area may still come free when it is snapped.
+    match failing.flipped {
+        0 => Ok(best),
+        flipped => Err(Error::Folded { inverted: flipped, faces: best.relaxed.mesh.n_faces() }),
+    }
+}
+
+impl Try {
+    /// The domain after a try to free some of its triangles; `None` where there is nothing to bisect, or too much.
+    fn on<'a>(
+        self,
+        surface: &Surface,
+        before: &OnBase<'a>,
+        faces: &[FaceId],
+        most_vertices: usize,
+        options: &Options,
+    ) -> Result<Option<OnBase<'a>>, Error> {
+        let base_edge = f64::from(1 << options.levels);
+        let (mut now, around, edges) = match self {
+            Self::Relax(reach) => (before.clone(), faces.to_vec(), (reach * base_edge).max(1.0)),
+            Self::Bisect(choice) => {
+                let edges = edges_under(before, faces, options.levels, choice);
+                if before.base.mesh.n_vertices() + edges.len() > most_vertices {
+                    return Ok(None);
+                }
+                let Some((next, new)) = bisected(surface, before, &edges, options.levels)? else { return Ok(None) };
+                (next, new, base_edge)
+            }
+        };
+        let OnBase { topology, relaxed, .. } = &now;
+        let places = (around.as_slice(), edges as usize);
+        now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, places, &options.relax.shape)?;
+        Ok(Some(now))
     }
 }
 
@@ -109,6 +142,12 @@ impl Failing {
         let flipped = certify::Surface::new(mesh).map_or_else(|_| Vec::new(), |mesh| flipped(input, &mesh));
         let faces: BTreeSet<FaceId> = flipped.iter().copied().chain(mesh.faces().ids().filter(is_degenerate)).collect();
         Self { faces: faces.into_iter().collect(), flipped: flipped.len() }
+    }
+
+    /// What is mended at once: first all, then every cluster by itself, as what frees one may spoil another.
+    fn groups(&self, topology: &Topology) -> Vec<Vec<FaceId>> {
+        let clusters = topology.clusters(&self.faces);
+        if clusters.len() < 2 { clusters } else { [vec![self.faces.clone()], clusters].concat() }
     }
 }
 

@@ -46,6 +46,7 @@ fn snapped(
     let few_steps = RelaxOptions {
         quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
         shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
+        ..options.clone()
     };
     let snap_options = SnapOptions::default();
     let (mut let_go, mut round) = (LetGo::default(), 1);
