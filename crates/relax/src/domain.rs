@@ -3,6 +3,7 @@
 use crate::RelaxError;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
+use rayon::prelude::*;
 use region_map::{Arc, ArcId, ArcSpan, Attachment, CornerId, RegionMap, Surface};
 
 /// What never changes while the vertices move.
@@ -86,6 +87,12 @@ impl<'a> Domain<'a> {
         }
         let mean_edge = (surface.mesh.total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
         Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
+    }
+
+    /// Something of every face, in order.
+    pub(crate) fn of_faces<T: Send>(&self, value: impl Fn(FaceId) -> T + Sync + Send) -> Vec<T> {
+        let faces: Vec<FaceId> = self.topology.faces().ids().collect();
+        faces.into_par_iter().map(value).collect()
     }
 
     /// Holds some vertices inside sheets where they are.

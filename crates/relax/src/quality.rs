@@ -3,7 +3,6 @@
 use crate::domain::Domain;
 use crate::placement::Placement;
 use mesh_core::{FaceId, aspect_ratio};
-use rayon::prelude::*;
 
 /// The quality of the triangles of a domain.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,8 +19,7 @@ impl Quality {
     /// Measures all faces of a placement.
     pub(crate) fn of(placement: &Placement, domain: &Domain) -> Self {
         let upright = |f: FaceId| (placement.signed_area(domain, f) > 0.0).then(|| aspect_ratio(placement.triangle(domain, f)));
-        let faces: Vec<FaceId> = domain.topology.faces().ids().collect();
-        let ratios: Vec<Option<f64>> = faces.into_par_iter().map(upright).collect();
+        let ratios = domain.of_faces(upright);
         let (mut sum, mut least, mut inverted) = (0.0, 1.0f64, 0);
         for ratio in &ratios {
             inverted += usize::from(ratio.is_none());

@@ -223,12 +223,12 @@ impl<'a> Optimiser<'a> {
 
     /// The energies of all faces.
     fn energies(&self, placement: &Placement) -> Vec<f64> {
-        self.of_faces(|f| self.triangle(placement, f).energy(&self.metric))
+        self.domain.of_faces(|f| self.triangle(placement, f).energy(&self.metric))
     }
 
     /// The signed areas of all faces.
     fn signed_areas(&self) -> Vec<f64> {
-        self.of_faces(|f| self.placement.signed_area(self.domain, f))
+        self.domain.of_faces(|f| self.placement.signed_area(self.domain, f))
     }
 
     /// The directions that each free vertex can move in: two, one and 0, or both 0.
@@ -250,16 +250,10 @@ impl<'a> Optimiser<'a> {
 
     /// What each triangle adds to the system.
     fn elements(&self, frames: &IdVec<VertexId, [DVec3; 2]>) -> Vec<Element> {
-        self.of_faces(|f| {
+        self.domain.of_faces(|f| {
             let frames = self.domain.topology.face(f).map(|v| frames[v]);
             element(&self.triangle(&self.placement, f), &self.metric, &frames)
         })
-    }
-
-    /// Something of every face, in order.
-    fn of_faces<T: Send>(&self, value: impl Fn(FaceId) -> T + Sync + Send) -> Vec<T> {
-        let faces: Vec<FaceId> = self.domain.topology.faces().ids().collect();
-        faces.into_par_iter().map(value).collect()
     }
 }
 

@@ -6,6 +6,7 @@
 use crate::Error;
 use mesh_core::{SurfaceIndex, Topology, TriMesh, VertexId, equilateral_edge_length};
 use project::Projected;
+use rayon::prelude::*;
 use region_map::{Attachment, Surface};
 use relax::{RelaxOptions, Relaxed, relax};
 
@@ -32,9 +33,8 @@ pub(crate) fn relax_anchored(
         return Ok(best);
     }
     let base_edge_length = equilateral_edge_length(input.total_area(), base_vertices);
-    let before = SurfaceIndex::new(&projected.mesh);
+    let lost = Lost { input, projected, distance: LOST * base_edge_length };
     for _ in 0..ROUNDS {
-        let lost = Lost { input, projected, before: &before, distance: LOST * base_edge_length };
         let mut anchors = lost.anchors(&best.mesh);
         anchors.retain(|v| !options.held.contains(v));
         if anchors.is_empty() {
@@ -53,8 +53,6 @@ pub(crate) fn relax_anchored(
 struct Lost<'a> {
     input: &'a TriMesh,
     projected: &'a Projected,
-    /// Of the projected domain.
-    before: &'a SurfaceIndex,
     /// From where on a vertex of the input is lost, in the units of the mesh.
     distance: f64,
 }
@@ -63,9 +61,14 @@ impl Lost<'_> {
     /// The vertices of the domain that were next to what a relaxed one has lost, one for each place.
     fn anchors(&self, relaxed: &TriMesh) -> Vec<VertexId> {
         let after = SurfaceIndex::new(relaxed);
-        let vertices = self.input.positions().iter();
+        let vertices = self.input.positions().as_slice().par_iter();
         let mut lost: Vec<_> =
             vertices.filter_map(|&p| Some((p, after.closest(p)?.distance))).filter(|l| l.1 > self.distance).collect();
+        // Most results lose nothing, and need no second index.
+        if lost.is_empty() {
+            return Vec::new();
+        }
+        let before = SurfaceIndex::new(&self.projected.mesh);
         lost.sort_by(|a, b| b.1.total_cmp(&a.1));
         let mut places: Vec<(glam::DVec3, f64)> = Vec::new();
         let mut anchors = Vec::new();
@@ -73,7 +76,7 @@ impl Lost<'_> {
             if places.iter().any(|(q, reach)| q.distance(p) < *reach) {
                 continue;
             }
-            if let Some(v) = self.next_to(p, distance) {
+            if let Some(v) = self.next_to(&before, p, distance) {
                 places.push((p, 2.0 * distance));
                 anchors.push(v);
             }
@@ -82,9 +85,9 @@ impl Lost<'_> {
     }
 
     /// The vertex inside a sheet that was next to a point. `None` where the point was about as far from the domain as it is now.
-    fn next_to(&self, p: glam::DVec3, distance: f64) -> Option<VertexId> {
+    fn next_to(&self, before: &SurfaceIndex, p: glam::DVec3, distance: f64) -> Option<VertexId> {
         let Projected { mesh, region, .. } = self.projected;
-        let nearest = self.before.closest(p).filter(|nearest| nearest.distance < 0.5 * distance)?;
+        let nearest = before.closest(p).filter(|nearest| nearest.distance < 0.5 * distance)?;
         let inside = |v: &VertexId| matches!(region.attachments[*v], Attachment::Sheet(_));
         let far = |v: VertexId| mesh.position(v).distance_squared(p);
         mesh.faces()[nearest.face].into_iter().filter(inside).min_by(|&v, &w| far(v).total_cmp(&far(w)))
@@ -108,8 +111,7 @@ mod tests {
         let input = sphere.with_positions(sphere.positions().enumerate().map(position).collect()).unwrap();
         let region = RegionMap::identity(&topology, &network);
         let projected = Projected { mesh: input.clone(), region, report: Default::default() };
-        let before = SurfaceIndex::new(&projected.mesh);
-        let lost = Lost { input: &input, projected: &projected, before: &before, distance: 0.1 };
+        let lost = Lost { input: &input, projected: &projected, distance: 0.1 };
         assert_eq!(lost.anchors(&sphere), [tip]);
         assert_eq!(lost.anchors(&input), []);
         let far = Lost { distance: 0.6, ..lost };
