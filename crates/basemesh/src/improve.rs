@@ -25,6 +25,9 @@ const COARSENING: f64 = 1.2;
 const NEAR: f64 = 0.8;
 /// Quality (AR) that a collapse must leave, unless it was worse before.
 const LEAST_QUALITY: f64 = 0.25;
+/// Where a greater share of the faces is folded after a round, each further round folds more of them, and makes more faces. Measured: a lamp
+/// of 4,400 vertices took 308 s to no better end than the 2 s that it takes now.
+const MOST_FOLDED: f64 = 0.1;
 /// So many vertices too many or too few are as bad as one folded face.
 const FOLD_WORTH: usize = 10;
 /// Where corners and arcs need more vertices than asked, the other edges get longer by at most this factor to make up for it.
@@ -85,6 +88,9 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
         let cost = FOLD_WORTH * folded + editor.n_vertices().abs_diff(options.base_vertices);
         if best.as_ref().is_none_or(|(least, _)| cost <= *least) {
             best = Some((cost, editor.clone()));
+        }
+        if folded as f64 > MOST_FOLDED * editor.faces().len() as f64 {
+            break;
         }
     }
     if let Some((_, best)) = best {

@@ -77,7 +77,7 @@ pub fn measure(original: &TriMesh, remeshed: &TriMesh, options: &MeasureOptions)
         distance: distance(&original, &remeshed, options.samples.max(1)),
         creases: crease_cover(&original, &remeshed),
         border: border_distance(&original, &remeshed),
-        flipped: original_topology.indexed.oriented.then(|| flipped(&original, &remeshed)),
+        flipped: original_topology.indexed.oriented.then(|| flipped(&original, remeshed.mesh)),
         original_self_intersecting: self_intersecting(&original).len(),
         remeshed_self_intersecting: self_intersecting(&remeshed).len(),
         original_topology,

@@ -1,7 +1,7 @@
 //! Which triangles of a remeshed surface look the wrong way?
 
 use crate::surface::Surface;
-use mesh_core::FaceId;
+use mesh_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
 /// Two sheets of the original in one place (thin plates, double walls) face both ways. A triangle is no fold when a sheet that
@@ -11,16 +11,16 @@ const SHEET_DISTANCE: f64 = 1e-4;
 /// The faces of the remeshed surface whose normal opposes that of the original at the point nearest to their middle, in order.
 ///
 /// Faces without area have no normal and do not count here: [`crate::Quality::degenerate`] counts them.
-pub fn flipped(original: &Surface, remeshed: &Surface) -> Vec<FaceId> {
+pub fn flipped(original: &Surface, remeshed: &TriMesh) -> Vec<FaceId> {
     let normals = original.mesh.normals();
     let opposes = |f: FaceId| {
-        let (normal, middle) = (remeshed.mesh.normal(f), remeshed.mesh.centroid(f));
+        let (normal, middle) = (remeshed.normal(f), remeshed.centroid(f));
         let Some(nearest) = original.index.closest(middle) else { return false };
         let other_sheet = || original.index.closest_where(middle, |g| normals[g].dot(normal) > 0.0);
         let reach = nearest.distance + SHEET_DISTANCE * original.diagonal;
         normals[nearest.face].dot(normal) < 0.0 && other_sheet().is_none_or(|sheet| sheet.distance > reach)
     };
-    let faces: Vec<FaceId> = remeshed.mesh.faces().ids().collect();
+    let faces: Vec<FaceId> = remeshed.faces().ids().collect();
     faces.into_par_iter().filter(|&f| opposes(f)).collect()
 }
 
@@ -29,10 +29,9 @@ mod tests {
     use super::*;
     use crate::test_shapes::{cube, joined, moved, sphere, square, subdivide, with_face_turned};
     use glam::DVec3;
-    use mesh_core::TriMesh;
 
     fn faces(original: &TriMesh, remeshed: &TriMesh) -> Vec<u32> {
-        let flipped = flipped(&Surface::new(original).unwrap(), &Surface::new(remeshed).unwrap());
+        let flipped = flipped(&Surface::new(original).unwrap(), remeshed);
         flipped.into_iter().map(|f| f.0).collect()
     }
 

@@ -17,6 +17,7 @@ mod anchors;
 mod base_report;
 mod base_stages;
 mod error;
+mod failing;
 mod fitting;
 mod input;
 mod ladder;

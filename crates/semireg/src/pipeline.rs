@@ -114,17 +114,18 @@ pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSec
     let of_base = (&topology, base.mesh.n_vertices());
     let relaxed = seconds.time("relax", || relax_anchored(&surface, &cleaned.mesh, &projected, of_base, &options.relax))?;
     is_worth_more(relaxed.inverted.len(), n_faces, HOPELESS)?;
+    let input = certify::Surface::new(&cleaned.mesh).map_err(certify::MeasureError::Original)?;
     let as_it_is = OnBase { base: Cow::Borrowed(base), topology, relaxed };
     let OnBase { base, topology, relaxed } = match stages.way {
         // A base mesh from elsewhere stays as it is.
         Way::Given => as_it_is,
-        _ => seconds.time("repair", || repaired(&surface, &cleaned.mesh, as_it_is, options))?,
+        _ => seconds.time("repair", || repaired(&surface, &input, as_it_is, options))?,
     };
     let n_faces = topology.n_faces();
     is_worth_more(relaxed.inverted.len(), n_faces, if n_faces > LARGE { HOPELESS_AT_LAST } else { HOPELESS })?;
-    let settled = seconds.time("snap", || settle(&surface, relaxed, &topology, &options.relax));
-    is_worth_more(settled.relaxed.inverted.len(), n_faces, HOPELESS_AT_LAST)?;
-    let Settled { network, normals, relaxed, snapped, warning } = settled;
+    let settled = seconds.time("snap", || settle(&surface, &input, relaxed, &topology, &options.relax));
+    let Settled { network, normals, relaxed, failing, snapped, warning } = settled;
+    is_worth_more(failing.flipped, n_faces, HOPELESS_AT_LAST)?;
     let surface = Surface { network: &network, normals: &normals, ..surface };
     let relaxed_domain = (relaxed.mesh, relaxed.map);
     let certified = fit_and_certify(&surface, &cleaned.mesh, relaxed_domain, &topology, options, seconds)?;

@@ -1,8 +1,8 @@
 //! The last folds: relaxed once more on their own, and on a base mesh with a few more vertices under them.
 
+use crate::failing::Failing;
 use crate::{Error, Options};
-use certify::{DEGENERATE_ASPECT_RATIO, flipped};
-use mesh_core::{FaceId, Id as _, Topology, TriMesh, VertexId, walk};
+use mesh_core::{FaceId, Id as _, Topology, VertexId, walk};
 use region_map::{ArcSpan, Attachment, BaseCounts, BaseMesh, RegionMap, Surface};
 use relax::{Relaxed, relax_around};
 use std::borrow::Cow;
@@ -61,12 +61,11 @@ pub(crate) struct OnBase<'a> {
 /// the start of the next try.
 pub(crate) fn repaired<'a>(
     surface: &Surface,
-    cleaned: &TriMesh,
+    input: &certify::Surface,
     start: OnBase<'a>,
     options: &Options,
 ) -> Result<OnBase<'a>, Error> {
-    let Ok(input) = certify::Surface::new(cleaned) else { return Ok(start) };
-    let mut failing = Failing::of(&start, &input);
+    let mut failing = Failing::of(&start.relaxed.mesh, input);
     if failing.faces.len() as f64 > MOST_FAILING * start.relaxed.mesh.n_faces() as f64 {
         return Ok(start);
     }
@@ -75,7 +74,7 @@ pub(crate) fn repaired<'a>(
     let (mut best, mut hopeless, mut tried) = (start, 0, 0);
     for _ in 0..MOST_TRIES {
         // Groups that all tries have failed on come first.
-        let groups = failing.groups(&best.topology);
+        let groups = groups(&failing, &best.topology);
         let Some(faces) = groups.get(hopeless) else { break };
         let Some(&attempt) = TRIES.get(tried) else {
             (hopeless, tried) = (hopeless + 1, 0);
@@ -83,7 +82,7 @@ pub(crate) fn repaired<'a>(
         };
         tried += 1;
         let Some(now) = attempt.on(surface, &best, faces, most_vertices, options)? else { continue };
-        let found = Failing::of(&now, &input);
+        let found = Failing::of(&now.relaxed.mesh, input);
         if found.faces.len() < failing.faces.len() {
             tried = 0;
         }
@@ -108,47 +107,28 @@ impl Try {
         most_vertices: usize,
         options: &Options,
     ) -> Result<Option<OnBase<'a>>, Error> {
-        let base_edge = f64::from(1 << options.levels);
+        let edges = |reach: f64| (reach * f64::from(1 << options.levels)).max(1.0) as usize;
         let (mut now, around, edges) = match self {
-            Self::Relax(reach) => (before.clone(), faces.to_vec(), (reach * base_edge).max(1.0)),
+            Self::Relax(reach) => (before.clone(), faces.to_vec(), edges(reach)),
             Self::Bisect(choice) => {
-                let edges = edges_under(before, faces, options.levels, choice);
-                if before.base.mesh.n_vertices() + edges.len() > most_vertices {
+                let under = edges_under(before, faces, options.levels, choice);
+                if before.base.mesh.n_vertices() + under.len() > most_vertices {
                     return Ok(None);
                 }
-                let Some((next, new)) = bisected(surface, before, &edges, options.levels)? else { return Ok(None) };
-                (next, new, base_edge)
+                let Some((next, new)) = bisected(surface, before, &under, options.levels)? else { return Ok(None) };
+                (next, new, edges(1.0))
             }
         };
         let OnBase { topology, relaxed, .. } = &now;
-        let places = (around.as_slice(), edges as usize);
-        now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, places, &options.relax.shape)?;
+        now.relaxed = relax_around(surface, &relaxed.mesh, topology, &relaxed.map, (&around, edges), &options.relax.shape)?;
         Ok(Some(now))
     }
 }
 
-/// The triangles for which the certificate would refuse a mesh.
-struct Failing {
-    /// Those that face against the input and those of next to no area, in rising order.
-    faces: Vec<FaceId>,
-    /// How many face against the input.
-    flipped: usize,
-}
-
-impl Failing {
-    fn of(domain: &OnBase<'_>, input: &certify::Surface) -> Self {
-        let mesh = &domain.relaxed.mesh;
-        let is_degenerate = |f: &FaceId| mesh_core::aspect_ratio(mesh.triangle(*f)) < DEGENERATE_ASPECT_RATIO;
-        let flipped = certify::Surface::new(mesh).map_or_else(|_| Vec::new(), |mesh| flipped(input, &mesh));
-        let faces: BTreeSet<FaceId> = flipped.iter().copied().chain(mesh.faces().ids().filter(is_degenerate)).collect();
-        Self { faces: faces.into_iter().collect(), flipped: flipped.len() }
-    }
-
-    /// What is mended at once: first all, then every cluster by itself, as what frees one may spoil another.
-    fn groups(&self, topology: &Topology) -> Vec<Vec<FaceId>> {
-        let clusters = topology.clusters(&self.faces);
-        if clusters.len() < 2 { clusters } else { [vec![self.faces.clone()], clusters].concat() }
-    }
+/// What is mended at once: first all, then every cluster by itself, as what frees one may spoil another.
+fn groups(failing: &Failing, topology: &Topology) -> Vec<Vec<FaceId>> {
+    let clusters = topology.clusters(&failing.faces);
+    if clusters.len() < 2 { clusters } else { [vec![failing.faces.clone()], clusters].concat() }
 }
 
 /// The domain with some edges of its base mesh bisected, and its faces at new vertices. `None` where one of these finds no place.

@@ -86,16 +86,20 @@ impl Snapped {
         Surface { network: &self.network, normals: &self.normals, ..*surface }
     }
 
-    /// What came out poor: triangles beside it have turned over, or have less quality than the bound of the options and than
-    /// the worst there before. Of a piece of a minor crease that is the half beside such triangles, or both.
+    /// What came out poor: triangles beside it have turned over, are among those `refused` or have a corner in common with one, or have less
+    /// quality than the bound of the options and than the worst there before. Of a piece of a minor crease that is the half beside such
+    /// triangles, or both.
     ///
     /// `before` and `after` are the domain before snapping, and relaxed after it.
-    pub fn poor(&self, topology: &Topology, before: &TriMesh, after: &TriMesh, options: &SnapOptions) -> LetGo {
+    pub fn poor(&self, topology: &Topology, [before, after]: [&TriMesh; 2], refused: &[FaceId], options: &SnapOptions) -> LetGo {
+        let corners = refused.iter().flat_map(|&f| topology.face(f));
+        let refused: BTreeSet<FaceId> = corners.flat_map(|v| topology.fan(v)).map(HalfedgeId::face).collect();
         let is_poor = |vertices: &[VertexId]| {
             let star: BTreeSet<FaceId> = vertices.iter().flat_map(|&v| topology.fan(v)).map(HalfedgeId::face).collect();
             let worst = |mesh: &TriMesh| star.iter().map(|&f| aspect_ratio(mesh.triangle(f))).fold(f64::INFINITY, f64::min);
             let turned = |&f: &FaceId| before.normal(f).dot(after.normal(f)) <= 0.0;
-            star.iter().any(turned) || worst(after) < options.least_quality.min(MOST_LOSS * worst(before))
+            star.iter().any(|f| turned(f) || refused.contains(f))
+                || worst(after) < options.least_quality.min(MOST_LOSS * worst(before))
         };
         let bends = self.bends.iter().filter(|(_, v)| is_poor(&[*v])).map(|&(bend, _)| bend).collect();
         let mut minor = BTreeSet::new();

@@ -206,17 +206,21 @@ fn poor_halves_and_bends_are_named() {
     let bed = ridge();
     let snapped = bed.snap(&LetGo::default(), &all());
     let before = bed.domain();
-    assert_eq!(snapped.poor(&bed.topology, &before, &before, &all()), LetGo::default());
+    assert_eq!(snapped.poor(&bed.topology, [&before; 2], &[], &all()), LetGo::default());
     let (edges, path) = &snapped.tracks[0];
     let moved = |v: VertexId| {
         let mut positions = before.positions().clone();
         positions[v] += DVec3::new(0.0, 3.0 / N as f64, 0.0);
         before.with_positions(positions.into_vec()).unwrap()
     };
-    let poor = snapped.poor(&bed.topology, &before, &moved(path[2]), &all());
+    let poor = snapped.poor(&bed.topology, [&before, &moved(path[2])], &[], &all());
     assert_eq!(poor.minor, edges[..6].iter().copied().collect());
+    // As for a triangle there that is refused.
+    let beside = bed.topology.fan(path[2]).next().unwrap().face();
+    let poor = snapped.poor(&bed.topology, [&before; 2], &[beside], &all());
+    assert!(!poor.minor.is_empty() && edges[..6].iter().all(|e| poor.minor.contains(e)), "{poor:?}");
     let snapped = bent().snap(&LetGo::default(), &all());
-    let poor = snapped.poor(&bed.topology, &before, &moved(vertex(10, 10)), &all());
+    let poor = snapped.poor(&bed.topology, [&before, &moved(vertex(10, 10))], &[], &all());
     assert_eq!(poor.bends, [vertex(10, 10)].into());
 }
 
