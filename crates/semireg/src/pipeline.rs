@@ -2,6 +2,7 @@
 
 use crate::anchors::relax_anchored;
 use crate::base_stages::{BaseStages, Way};
+use crate::failing::Failing;
 use crate::fitting::fit_and_certify;
 use crate::input::Input;
 use crate::ladder::{climb, climb_to_base};
@@ -116,14 +117,17 @@ pub(crate) fn run(stages: &BaseStages, options: &Options, seconds: &mut StageSec
     is_worth_more(relaxed.inverted.len(), n_faces, HOPELESS)?;
     let input = certify::Surface::new(&cleaned.mesh).map_err(certify::MeasureError::Original)?;
     let as_it_is = OnBase { base: Cow::Borrowed(base), topology, relaxed };
-    let OnBase { base, topology, relaxed } = match stages.way {
+    let (OnBase { base, topology, relaxed }, failing) = match stages.way {
         // A base mesh from elsewhere stays as it is.
-        Way::Given => as_it_is,
+        Way::Given => {
+            let failing = Failing::of(&as_it_is.relaxed.mesh, &input);
+            (as_it_is, failing)
+        }
         _ => seconds.time("repair", || repaired(&surface, &input, as_it_is, options))?,
     };
     let n_faces = topology.n_faces();
     is_worth_more(relaxed.inverted.len(), n_faces, if n_faces > LARGE { HOPELESS_AT_LAST } else { HOPELESS })?;
-    let settled = seconds.time("snap", || settle(&surface, &input, relaxed, &topology, &options.relax));
+    let settled = seconds.time("snap", || settle(&surface, &input, (relaxed, failing), &topology, &options.relax));
     let Settled { network, normals, relaxed, failing, snapped, warning } = settled;
     is_worth_more(failing.flipped, n_faces, HOPELESS_AT_LAST)?;
     let surface = Surface { network: &network, normals: &normals, ..surface };

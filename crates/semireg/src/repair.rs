@@ -53,8 +53,9 @@ pub(crate) struct OnBase<'a> {
     pub(crate) relaxed: Relaxed,
 }
 
-/// Mends a relaxed domain with a few triangles that the certificate would refuse. Vertices far from them stay where they are. The domain
-/// as it was where there are none, or so many that the base mesh is wrong. Fails where some are left that face against the input.
+/// Mends a relaxed domain with a few triangles that the certificate would refuse, and tells which are left. Vertices far from them stay where
+/// they are. The domain as it was where there are none, or so many that the base mesh is wrong. Fails where some are left that face against
+/// the input.
 ///
 /// First the triangles around are relaxed by themselves: among hundreds of thousands a few have little say. Then the base faces under the
 /// folds are bisected. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so the relaxed places are
@@ -64,10 +65,10 @@ pub(crate) fn repaired<'a>(
     input: &certify::Surface,
     start: OnBase<'a>,
     options: &Options,
-) -> Result<OnBase<'a>, Error> {
+) -> Result<(OnBase<'a>, Failing), Error> {
     let mut failing = Failing::of(&start.relaxed.mesh, input);
     if failing.faces.len() as f64 > MOST_FAILING * start.relaxed.mesh.n_faces() as f64 {
-        return Ok(start);
+        return Ok((start, failing));
     }
     let n = start.base.mesh.n_vertices();
     let most_vertices = n + LEAST_GROWTH.max((MOST_GROWTH * n as f64) as usize);
@@ -92,7 +93,7 @@ pub(crate) fn repaired<'a>(
     }
     // What has no area may still come free when it is snapped.
     match failing.flipped {
-        0 => Ok(best),
+        0 => Ok((best, failing)),
         flipped => Err(Error::Folded { inverted: flipped, faces: best.relaxed.mesh.n_faces() }),
     }
 }

@@ -28,16 +28,15 @@ pub(crate) struct Settled<'a> {
     pub(crate) warning: Option<String>,
 }
 
-/// Snaps the domain to bends and minor creases and relaxes it again; as it was where there are none, where the certificate would refuse
-/// more triangles than before, or where it fails.
+/// Snaps a domain to bends and minor creases and relaxes it again; as it was where there are none, where the certificate would refuse more
+/// triangles than the `failing` ones of before, or where it fails.
 pub(crate) fn settle<'a>(
     surface: &Surface<'a>,
     input: &certify::Surface,
-    relaxed: Relaxed,
+    (relaxed, failing): (Relaxed, Failing),
     topology: &Topology,
     options: &RelaxOptions,
 ) -> Settled<'a> {
-    let failing = Failing::of(&relaxed.mesh, input);
     let warning = match snapped(surface, input, (&relaxed, &failing), topology, options) {
         Ok(Some(settled)) if settled.failing.faces.len() <= failing.faces.len() => return settled,
         Ok(Some(_)) => Some("bends and minor creases were left as they came out: some triangles did not bear them".to_string()),
@@ -76,8 +75,7 @@ fn snapped(
             again.report = RelaxReport { end, shape_steps: relaxed.report.shape_steps + shape_steps, ..relaxed.report };
             let counts = [snapped.bends.len(), snapped.tracks.len()];
             let (network, normals) = (Cow::Owned(snapped.network), Cow::Owned(snapped.normals));
-            let settled = Settled { network, normals, relaxed: again, failing, snapped: counts, warning: None };
-            return Ok(Some(settled));
+            return Ok(Some(Settled { network, normals, relaxed: again, failing, snapped: counts, warning: None }));
         }
         let_go.bends.extend(poor.bends);
         let_go.minor.extend(poor.minor);
