@@ -26,6 +26,7 @@ mod obj;
 mod off;
 mod ply;
 mod read;
+mod single_precision;
 mod stl;
 mod text;
 mod write;

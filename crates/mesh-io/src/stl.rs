@@ -6,8 +6,8 @@
 
 use crate::document::{Builder, Document};
 use crate::error::{Fault, WriteError};
+use crate::single_precision::single_precision;
 use crate::text::{Words, decode, number, quoted, without_mark};
-use crate::write::single_precision;
 use glam::{DVec3, Vec3};
 use mesh_core::TriMesh;
 use std::io::Cursor;

@@ -45,15 +45,6 @@ pub fn write_bytes(mesh: &TriMesh, format: Format) -> Result<Vec<u8>, WriteError
     }
 }
 
-/// The positions of a mesh in single precision.
-pub(crate) fn single_precision(mesh: &TriMesh) -> Result<Vec<[f32; 3]>, WriteError> {
-    let rounded = |(vertex, p): (usize, &DVec3)| {
-        let p = p.as_vec3();
-        if p.is_finite() { Ok(p.to_array()) } else { Err(WriteError::NotSinglePrecision { vertex }) }
-    };
-    mesh.positions().iter().enumerate().map(rounded).collect()
-}
-
 /// Puts a file in the place of `path`, which keeps its old contents when that fails.
 fn replace(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let temporary = temporary_beside(path);

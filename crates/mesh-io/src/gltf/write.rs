@@ -2,7 +2,7 @@
 
 use crate::base64;
 use crate::error::WriteError;
-use crate::write::single_precision;
+use crate::single_precision::single_precision;
 use gltf::binary::{Glb, Header};
 use mesh_core::TriMesh;
 
