@@ -1,21 +1,8 @@
 //! The base mesh with its ties to the working mesh.
 
-use crate::{BaseMap, MapFaceId, RegionMap};
+use crate::{BaseMap, Domain, MapFaceId};
 use glam::DVec3;
 use mesh_core::{FaceId, Id as _, IdVec, SurfacePoint, TriMesh};
-
-/// How many base vertices there are, and why.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct BaseCounts {
-    /// What was asked for.
-    pub asked: usize,
-    /// The least that the topology and the kept network need.
-    pub needed: usize,
-    /// What there is.
-    pub made: usize,
-    /// Why more were made than asked for; empty where the request was met.
-    pub reason: String,
-}
 
 /// Steps around the unit interval that spread any number of points evenly and independently (multiples of irrational numbers).
 const STEPS: [f64; 3] = [0.754_877_666_246_692_8, 0.618_033_988_749_894_9, 0.245_122_333_753_307_1];
@@ -23,19 +10,20 @@ const STEPS: [f64; 3] = [0.754_877_666_246_692_8, 0.618_033_988_749_894_9, 0.245
 /// A simplicial base mesh, where its vertices, edges and faces belong, and the bijection to the working mesh.
 #[derive(Clone, Debug)]
 pub struct BaseMesh {
-    /// Vertices and faces; positions are those of `region.points`.
-    pub mesh: TriMesh,
-    /// Attachments and surface points.
-    pub region: RegionMap,
+    /// The base mesh over the surface, its vertices at the points of its region map.
+    pub domain: Domain,
     /// The map to the working mesh.
     pub map: BaseMap,
     /// The face of the map for every base face, with the same order of corners.
     pub map_faces: IdVec<FaceId, MapFaceId>,
-    /// Asked, needed, made.
-    pub counts: BaseCounts,
 }
 
 impl BaseMesh {
+    /// Vertices and faces.
+    pub fn mesh(&self) -> &TriMesh {
+        &self.domain.mesh
+    }
+
     /// The point of the working mesh at barycentric coordinates of a base face.
     pub fn locate(&self, face: FaceId, barycentric: DVec3) -> SurfacePoint {
         self.map.locate(self.map_faces[face], barycentric)

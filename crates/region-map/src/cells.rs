@@ -2,9 +2,9 @@
 
 use crate::chain::{Chain, spokes, trace_chains};
 use crate::network::{both_sides, on_edge, segment};
-use crate::{ArcSpan, Network, PatchId, Segmentation};
+use crate::{ArcSpan, Network, PatchId, Segmentation, Surface};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
+use mesh_core::{EdgeId, FaceId, HalfedgeId, Id as _, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
 use rustc_hash::FxHashMap;
 
 define_id! {
@@ -58,6 +58,9 @@ pub struct CellPatch {
 /// Why a segmentation is not a complex of disks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum CellError {
+    /// The segmentation is of another mesh.
+    #[error("the segmentation has another number of faces than the surface, or a patch beyond its own number of patches")]
+    OtherMesh,
     /// The border of a patch is not one cycle of distinct vertices: the patch is not a disk.
     #[error("patch {0} is not a disk with a simple border")]
     NotADisk(PatchId),
@@ -82,7 +85,12 @@ pub struct Cells {
 
 impl Cells {
     /// Traces the cells of a segmentation and checks that they are disks which the network bounds.
-    pub fn trace(mesh: &TriMesh, topology: &Topology, network: &Network, segmentation: &Segmentation) -> Result<Self, CellError> {
+    pub fn trace(surface: &Surface, segmentation: &Segmentation) -> Result<Self, CellError> {
+        let (mesh, topology, network) = (surface.mesh(), surface.topology(), surface.network());
+        let patches = &segmentation.patch_of_face;
+        if patches.len() != mesh.n_faces() || patches.iter().any(|p| p.index() >= segmentation.n_patches) {
+            return Err(CellError::OtherMesh);
+        }
         let patch = |h: HalfedgeId| segmentation.patch_of_face[h.face()];
         let separates = |e: EdgeId| {
             let h = topology.halfedge(e);

@@ -36,6 +36,42 @@ impl ArcKind {
     }
 }
 
+/// What any base mesh on a network has at least.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeastBase {
+    /// Vertices.
+    pub vertices: usize,
+    /// Triangles.
+    pub triangles: usize,
+}
+
+/// Lengths of creases, in the units of the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CreaseLengths {
+    /// Of those that are arcs.
+    pub kept: f64,
+    /// Of those that were found and left out.
+    pub minor: f64,
+}
+
+/// Why there is no network.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum NetworkError {
+    /// A table is as long as another mesh would need.
+    #[error("the network is of another mesh: {what} has {found} entries, {expected} are needed")]
+    WrongSize {
+        /// Which table.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that the mesh needs.
+        expected: usize,
+    },
+    /// A minor crease names a vertex that is not there.
+    #[error("a minor crease runs through vertex {0}, which is not there")]
+    NoSuchVertex(VertexId),
+}
+
 /// A chain of edges between two corners, or a closed chain without one.
 #[derive(Clone, Debug)]
 pub struct Arc {
@@ -139,13 +175,23 @@ impl Network {
     /// Corners are the vertices for which `is_corner` holds and all whose number of feature edges is neither 0 nor 2, or where
     /// two kinds meet; a vertex without faces is none. Border edges must have a kind (they always bound). `minor` is kept as
     /// given.
+    ///
+    /// Fails where mesh, topology and `kinds` are of different sizes, or `minor` names a vertex that is not there.
     pub fn trace(
         mesh: &TriMesh,
         topology: &Topology,
         kinds: &IdVec<EdgeId, Option<ArcKind>>,
         is_corner: impl Fn(VertexId) -> bool,
         minor: Vec<Vec<VertexId>>,
-    ) -> Self {
+    ) -> Result<Self, NetworkError> {
+        check_sizes(&[
+            ("the topology's list of vertices", topology.n_vertices(), mesh.n_vertices()),
+            ("the topology's list of faces", topology.n_faces(), mesh.n_faces()),
+            ("the list of kinds", kinds.len(), topology.n_edges()),
+        ])?;
+        if let Some(&v) = minor.iter().flatten().find(|v| v.index() >= mesh.n_vertices()) {
+            return Err(NetworkError::NoSuchVertex(v));
+        }
         let mut corners = IdVec::new();
         let mut corner_of_vertex = IdVec::filled(None, topology.n_vertices());
         for v in mesh.positions().ids() {
@@ -168,7 +214,18 @@ impl Network {
             let lengths = chain.lengths(mesh);
             arcs.push(Arc { kind, vertices: chain.vertices, halfedges: chain.halfedges, lengths, corners, sheets });
         }
-        Self { corners, arcs, arc_of_edge, corner_of_vertex, sheet_of_face, n_sheets, minor }
+        Ok(Self { corners, arcs, arc_of_edge, corner_of_vertex, sheet_of_face, n_sheets, minor })
+    }
+
+    /// Checks that the tables are as long as a mesh and its topology need.
+    pub(crate) fn check_sizes(&self, mesh: &TriMesh, topology: &Topology) -> Result<(), NetworkError> {
+        check_sizes(&[
+            ("the topology's list of vertices", topology.n_vertices(), mesh.n_vertices()),
+            ("the topology's list of faces", topology.n_faces(), mesh.n_faces()),
+            ("the list of sheets", self.sheet_of_face.len(), mesh.n_faces()),
+            ("the list of arcs at edges", self.arc_of_edge.len(), topology.n_edges()),
+            ("the list of corners at vertices", self.corner_of_vertex.len(), mesh.n_vertices()),
+        ])
     }
 
     /// True where an edge lies on an arc: nothing may cross it.
@@ -183,7 +240,7 @@ impl Network {
 
     /// The least vertices and triangles of any base mesh on this network: a vertex at each corner, and on the arcs what keeps base edges
     /// apart (3 edges on a closed arc, 2 where arcs share both ends). The triangles follow by Euler's formula.
-    pub fn least_base(&self, topology: &Topology) -> (usize, usize) {
+    pub fn least_base(&self, topology: &Topology) -> LeastBase {
         let mut ends: Vec<_> = self.arcs.iter().filter_map(|arc| arc.corners).map(|[a, b]| [a.min(b), a.max(b)]).collect();
         ends.sort_unstable();
         let are_shared = |[a, b]: [CornerId; 2]| {
@@ -200,13 +257,21 @@ impl Network {
         let vertices = self.corners.len() + self.arcs.iter().map(inside).sum::<usize>();
         let border: usize = self.arcs.iter().filter(|arc| arc.kind == ArcKind::Border).map(segments).sum();
         let triangles = 2 * (vertices as i64 - topology.euler()) - border as i64;
-        (vertices, triangles.max(0) as usize)
+        LeastBase { vertices, triangles: triangles.max(0) as usize }
     }
 
-    /// Length of the creases that are arcs, and of those that were not kept.
-    pub fn crease_lengths(&self, mesh: &TriMesh) -> [f64; 2] {
+    /// How long the creases are.
+    pub fn crease_lengths(&self, mesh: &TriMesh) -> CreaseLengths {
         let kept = self.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(Arc::length).sum();
-        [kept, self.minor.iter().map(|chain| mesh.chain_length(chain)).sum()]
+        CreaseLengths { kept, minor: self.minor.iter().map(|chain| mesh.chain_length(chain)).sum() }
+    }
+}
+
+/// Finds the first table, of those given by name, length and the length needed, that has another length.
+fn check_sizes(tables: &[(&'static str, usize, usize)]) -> Result<(), NetworkError> {
+    match tables.iter().find(|(_, found, expected)| found != expected) {
+        Some(&(what, found, expected)) => Err(NetworkError::WrongSize { what, found, expected }),
+        None => Ok(()),
     }
 }
 

@@ -20,6 +20,17 @@ pub enum Attachment {
     Sheet(SheetId),
 }
 
+/// How many domain vertices are attached to what.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ClassCounts {
+    /// At corners.
+    pub at_corners: usize,
+    /// On arcs, between their ends.
+    pub on_arcs: usize,
+    /// Inside sheets.
+    pub in_sheets: usize,
+}
+
 /// The part of an arc that a domain edge lies on, from the edge's lower vertex id to its higher one.
 ///
 /// On a loop the arc lengths are not wrapped: `to` may be below 0 or beyond the loop's length, and their difference tells the way round.
@@ -252,15 +263,15 @@ impl RegionMap {
         }
     }
 
-    /// How many vertices sit at corners, on arcs and inside sheets.
-    pub fn class_counts(&self) -> [usize; 3] {
-        let mut counts = [0; 3];
+    /// How many vertices belong to each of the paper's classes.
+    pub fn class_counts(&self) -> ClassCounts {
+        let mut counts = ClassCounts::default();
         for a in &self.attachments {
-            counts[match a {
-                Attachment::Corner(_) => 0,
-                Attachment::Arc { .. } => 1,
-                Attachment::Sheet(_) => 2,
-            }] += 1;
+            *match a {
+                Attachment::Corner(_) => &mut counts.at_corners,
+                Attachment::Arc { .. } => &mut counts.on_arcs,
+                Attachment::Sheet(_) => &mut counts.in_sheets,
+            } += 1;
         }
         counts
     }

@@ -4,19 +4,6 @@ use crate::Network;
 use glam::DVec3;
 use mesh_core::{HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 
-/// The surface that a domain mesh moves on: the working mesh, cut into sheets by arcs.
-#[derive(Clone, Copy, Debug)]
-pub struct Surface<'a> {
-    /// The working mesh.
-    pub mesh: &'a TriMesh,
-    /// Its connectivity.
-    pub topology: &'a Topology,
-    /// Its corners, arcs and sheets.
-    pub network: &'a Network,
-    /// Its one-sided normals.
-    pub normals: &'a SheetNormals,
-}
-
 /// A unit normal for every corner of every working face.
 ///
 /// The faces round a vertex form sectors between barrier edges (edges on arcs). All corners of a sector share one normal, the

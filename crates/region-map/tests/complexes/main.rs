@@ -24,7 +24,7 @@ fn marked_network(
     for e in topology.edge_ids().filter(|&e| topology.ends(e).into_iter().all(|v| is_marked(mesh.position(v)))) {
         kinds[e].get_or_insert(ArcKind::Marked);
     }
-    Network::trace(mesh, topology, &kinds, is_corner, Vec::new())
+    Network::trace(mesh, topology, &kinds, is_corner, Vec::new()).expect("tables of one mesh")
 }
 
 fn crease_network(mesh: &TriMesh, topology: &Topology) -> Network {
