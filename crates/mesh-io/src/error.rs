@@ -53,6 +53,12 @@ pub enum WriteError {
         /// The file.
         path: PathBuf,
     },
+    /// Files are read compressed, but not written so.
+    #[error("{}: compressed files are read, but not written; leave .gz off, and compress the file afterwards", path.display())]
+    Packed {
+        /// The file.
+        path: PathBuf,
+    },
     /// The file could not be written.
     #[error("cannot write {}; check that its directory exists and can be written to", path.display())]
     Io {
@@ -84,11 +90,13 @@ pub enum WriteError {
 }
 
 const EXPORT_AGAIN: &str = "correct it or export the file again";
+const PACK_AGAIN: &str = "compress it again, or copy it again from where it came";
 
 /// What a reader of one format found wrong; it becomes a [`ReadError`] where the path is known.
 #[derive(Debug)]
 pub(crate) enum Fault {
     Malformed { line: Option<usize>, what: String },
+    Packed { what: String },
     Unsupported { what: String, remedy: &'static str },
     Io { path: PathBuf, source: io::Error },
 }
@@ -102,6 +110,10 @@ impl Fault {
     pub(crate) fn data(what: impl Into<String>) -> Self {
         Self::Malformed { line: None, what: what.into() }
     }
+    /// A fault of a compressed file, whatever it holds.
+    pub(crate) fn packed(what: impl Into<String>) -> Self {
+        Self::Packed { what: what.into() }
+    }
     /// Something that we do not read.
     pub(crate) fn unsupported(what: impl Into<String>, remedy: &'static str) -> Self {
         Self::Unsupported { what: what.into(), remedy }
@@ -111,6 +123,7 @@ impl Fault {
         let path = path.to_owned();
         match self {
             Self::Malformed { line, what } => ReadError::Malformed { path, line, what, remedy: EXPORT_AGAIN },
+            Self::Packed { what } => ReadError::Malformed { path, line: None, what, remedy: PACK_AGAIN },
             Self::Unsupported { what, remedy } => ReadError::Unsupported { path, what, remedy },
             Self::Io { path, source } => ReadError::Io { path, source },
         }

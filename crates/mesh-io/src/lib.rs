@@ -1,4 +1,4 @@
-//! Reading and writing obj, ply, stl, off, gltf and glb.
+//! Reading (also compressed by gzip) and writing obj, ply, stl, off, gltf and glb.
 //!
 //! [`read()`] gives what the file says, as a [`mesh_core::Soup`] in a [`Document`]; cleaning is not done here. [`write()`] is
 //! atomic and keeps the order of vertices and faces.
@@ -24,6 +24,7 @@ mod format;
 mod gltf;
 mod obj;
 mod off;
+mod packed;
 mod ply;
 mod read;
 mod single_precision;
@@ -35,4 +36,4 @@ pub use document::Document;
 pub use error::{ReadError, WriteError};
 pub use format::Format;
 pub use read::{read, read_bytes};
-pub use write::{write, write_bytes, write_colored_ply};
+pub use write::{writable_format, write, write_bytes, write_colored_ply};

@@ -2,16 +2,22 @@
 
 use crate::document::Document;
 use crate::error::{Fault, ReadError};
-use crate::{Format, gltf, obj, off, ply, stl};
+use crate::{Format, gltf, obj, off, packed, ply, stl};
 use std::fs;
 use std::path::Path;
 
-/// Reads a file; its extension tells the format. A file without faces gives a document without triangles.
+/// Reads a file; its extension tells the format, that before `.gz` where it is compressed by gzip. A file without faces gives a
+/// document without triangles.
 ///
-/// A gltf file may name buffers in files beside it, which are read too.
+/// What is in a compressed file may take 200 times its size or 64 MiB, whichever is more, and at most 4 GiB. A gltf file may name buffers in files beside it, which are read too.
 pub fn read(path: &Path) -> Result<Document, ReadError> {
-    let format = Format::from_path(path).ok_or_else(|| ReadError::UnknownFormat { path: path.to_owned() })?;
-    let bytes = fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    let inside = packed::name_inside(path);
+    let name = inside.as_deref().unwrap_or(path);
+    let format = Format::from_path(name).ok_or_else(|| ReadError::UnknownFormat { path: path.to_owned() })?;
+    let mut bytes = fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    if inside.is_some() {
+        bytes = packed::unpack(&bytes).map_err(|fault| fault.at(path))?;
+    }
     let directory = path.parent().unwrap_or(Path::new(""));
     parse(&bytes, format, Some(directory)).map_err(|fault| fault.at(path))
 }

@@ -1,7 +1,7 @@
 //! Writing a file of any format.
 
 use crate::error::WriteError;
-use crate::{Format, gltf, obj, off, ply, stl};
+use crate::{Format, gltf, obj, off, packed, ply, stl};
 use glam::DVec3;
 use mesh_core::TriMesh;
 use std::fs;
@@ -14,8 +14,16 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Coordinates are kept to the last bit in obj, ply and off and rounded to f32 in the others. Atomic: the bytes go to a temporary
 /// file in the same directory, which then takes the place of the target; nothing is left of it on failure.
 pub fn write(path: &Path, mesh: &TriMesh) -> Result<(), WriteError> {
-    let format = Format::from_path(path).ok_or_else(|| WriteError::UnknownFormat { path: path.to_owned() })?;
-    replace(path, &write_bytes(mesh, format)?)
+    replace(path, &write_bytes(mesh, writable_format(path)?)?)
+}
+
+/// The format that [`write()`] would write to this path. Fails for a name that it would refuse: without the extension of a format,
+/// or ending in `.gz`.
+pub fn writable_format(path: &Path) -> Result<Format, WriteError> {
+    if packed::name_inside(path).is_some() {
+        return Err(WriteError::Packed { path: path.to_owned() });
+    }
+    Format::from_path(path).ok_or_else(|| WriteError::UnknownFormat { path: path.to_owned() })
 }
 
 /// Writes a ply with one colour for each face, whatever the extension of `path`; atomic as [`write()`] is.

@@ -7,6 +7,7 @@ mod gltf;
 mod malformed;
 mod obj;
 mod off;
+mod packed;
 mod ply;
 mod round_trip;
 mod stl;
