@@ -1,6 +1,6 @@
 //! Licences of everything that we build with.
 
-use super::{packages, text};
+use super::metadata::{packages, text};
 use serde_json::Value;
 
 /// Licences that let others use our crates as they like.
