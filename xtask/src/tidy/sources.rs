@@ -7,7 +7,7 @@ use std::fs;
 use std::process::Command;
 
 /// Lines of a source file beyond which it is cut along a noun.
-const MAX_LINES: usize = 500;
+const MAX_LINES: usize = 400;
 /// Files that are longer, each with the reason.
 const LONGER: &[(&str, &str)] = &[];
 /// Beginnings of absolute paths, in two parts so that this file does not hold them.
