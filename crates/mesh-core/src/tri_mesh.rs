@@ -14,6 +14,13 @@ pub struct Soup {
     pub triangles: Vec<[u32; 3]>,
 }
 
+impl Soup {
+    /// Copies plain arrays: the positions of the vertices, and for every triangle its vertices.
+    pub fn from_slices(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Self {
+        Self { positions: positions.iter().map(|&p| DVec3::from_array(p)).collect(), triangles: triangles.to_vec() }
+    }
+}
+
 /// Why positions and faces are not a mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshError {
@@ -41,6 +48,38 @@ pub enum MeshError {
         /// The vertex.
         vertex: usize,
     },
+    /// Positions that shall replace others are not as many.
+    #[error("{positions} positions for a mesh of {vertices} vertices; give one for each vertex")]
+    PositionCount {
+        /// Number of positions.
+        positions: usize,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// There are more vertices or faces than ids of 32 bits can tell apart.
+    #[error(
+        "{vertices} vertices and {faces} faces are more than a mesh can have ({MOST_VERTICES} and {MOST_FACES}); simplify it"
+    )]
+    TooLarge {
+        /// Number of vertices.
+        vertices: usize,
+        /// Number of faces.
+        faces: usize,
+    },
+}
+
+/// The most vertices of a mesh: their ids have 32 bits, and the greatest one stands for none.
+pub(crate) const MOST_VERTICES: usize = u32::MAX as usize;
+/// The most faces of a mesh: the ids of their three halfedges have 32 bits, and the greatest one stands for none.
+pub(crate) const MOST_FACES: usize = MOST_VERTICES / 3;
+
+/// Fails where ids of 32 bits are not enough.
+fn check_size(vertices: usize, faces: usize) -> Result<(), MeshError> {
+    if vertices > MOST_VERTICES || faces > MOST_FACES { Err(MeshError::TooLarge { vertices, faces }) } else { Ok(()) }
+}
+
+fn check_finite(positions: &[DVec3]) -> Result<(), MeshError> {
+    positions.iter().position(|p| !p.is_finite()).map_or(Ok(()), |vertex| Err(MeshError::NotFinite { vertex }))
 }
 
 /// A triangle mesh: positions and faces whose indices are in range and distinct, all coordinates finite.
@@ -55,9 +94,8 @@ pub struct TriMesh {
 impl TriMesh {
     /// Checks and takes positions and faces.
     pub fn new(positions: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Result<Self, MeshError> {
-        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
-            return Err(MeshError::NotFinite { vertex });
-        }
+        check_size(positions.len(), faces.len())?;
+        check_finite(&positions)?;
         for (face, f) in faces.iter().enumerate() {
             if let Some(&vertex) = f.iter().find(|&&v| v as usize >= positions.len()) {
                 return Err(MeshError::IndexOutOfRange { face, vertex, vertices: positions.len() });
@@ -70,14 +108,20 @@ impl TriMesh {
         Ok(Self { positions: IdVec::from_vec(positions), faces })
     }
 
+    /// Checks and copies plain arrays: the positions of the vertices, and for every face its vertices, counter-clockwise seen
+    /// from outside. [`Self::position_arrays`] and [`Self::face_arrays`] give them back.
+    pub fn from_slices(positions: &[[f64; 3]], faces: &[[u32; 3]]) -> Result<Self, MeshError> {
+        Self::new(positions.iter().map(|&p| DVec3::from_array(p)).collect(), faces.to_vec())
+    }
+
     /// The same faces with other positions.
     ///
-    /// Fails on a coordinate that is not finite. Panics when the number of positions differs.
+    /// Fails on a coordinate that is not finite, and on another number of positions.
     pub fn with_positions(&self, positions: Vec<DVec3>) -> Result<Self, MeshError> {
-        assert_eq!(positions.len(), self.positions.len(), "as many positions as vertices");
-        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
-            return Err(MeshError::NotFinite { vertex });
+        if positions.len() != self.n_vertices() {
+            return Err(MeshError::PositionCount { positions: positions.len(), vertices: self.n_vertices() });
         }
+        check_finite(&positions)?;
         Ok(Self { positions: IdVec::from_vec(positions), faces: self.faces.clone() })
     }
 
@@ -109,9 +153,17 @@ impl TriMesh {
     pub fn triangle(&self, f: FaceId) -> [DVec3; 3] {
         self.faces[f].map(|v| self.positions[v])
     }
+    /// The positions of all vertices as plain arrays.
+    pub fn position_arrays(&self) -> Vec<[f64; 3]> {
+        self.positions.iter().map(|p| p.to_array()).collect()
+    }
+    /// The vertices of all faces as plain arrays.
+    pub fn face_arrays(&self) -> Vec<[u32; 3]> {
+        self.faces.iter().map(|f| f.map(|v| v.0)).collect()
+    }
     /// The mesh as a soup again, for writers.
     pub fn to_soup(&self) -> Soup {
-        Soup { positions: self.positions.as_slice().to_vec(), triangles: self.faces.iter().map(|f| f.map(|v| v.0)).collect() }
+        Soup { positions: self.positions.as_slice().to_vec(), triangles: self.face_arrays() }
     }
 }
 
@@ -136,5 +188,32 @@ mod tests {
         let mut p = three_points();
         p[2].y = f64::NAN;
         assert_eq!(TriMesh::new(p, vec![]).unwrap_err(), MeshError::NotFinite { vertex: 2 });
+    }
+
+    #[test]
+    fn another_number_of_positions_is_refused() {
+        let mesh = TriMesh::new(three_points(), vec![[0, 1, 2]]).unwrap();
+        for n in [0, 2, 4] {
+            let e = mesh.with_positions(vec![DVec3::ZERO; n]).unwrap_err();
+            assert_eq!(e, MeshError::PositionCount { positions: n, vertices: 3 });
+        }
+        assert_eq!(mesh.with_positions(three_points()).unwrap(), mesh);
+    }
+
+    #[test]
+    fn ids_of_32_bits_are_enough() {
+        let (n, f) = (u32::MAX as usize, u32::MAX as usize / 3);
+        assert_eq!(check_size(n, f), Ok(()));
+        assert_eq!(check_size(n + 1, 0), Err(MeshError::TooLarge { vertices: n + 1, faces: 0 }));
+        assert_eq!(check_size(0, f + 1), Err(MeshError::TooLarge { vertices: 0, faces: f + 1 }));
+    }
+
+    #[test]
+    fn plain_arrays_come_back_as_they_were() {
+        let (positions, faces) = ([[0.0, 0.0, -0.0], [1.0, 0.5, 0.0], [0.0, 1e-9, 7.0], [2.0; 3]], [[2, 0, 1], [3, 1, 0]]);
+        let mesh = TriMesh::from_slices(&positions, &faces).unwrap();
+        assert_eq!((mesh.position_arrays().as_slice(), mesh.face_arrays().as_slice()), (&positions[..], &faces[..]));
+        assert_eq!(mesh.to_soup(), Soup::from_slices(&positions, &faces));
+        assert!(TriMesh::from_slices(&positions, &[[0, 1, 4]]).is_err());
     }
 }
