@@ -4,7 +4,7 @@
 //! rounded outwards and padded. What counts (distances, hits) is computed in f64 on the triangles as they are, and the order of
 //! the hierarchy shows in no result: of equal ones the lowest face wins.
 
-use crate::measure::Bounds;
+use crate::measure::{Bounds, normal};
 use crate::triangle::{Line, closest_on_triangle};
 use crate::{FaceId, SurfacePoint, TriMesh};
 use glam::{DVec3, Vec3A};
@@ -26,6 +26,11 @@ const SPREAD: DVec3 = DVec3::new(0.819_172_513_396_164, 0.671_043_606_703_789, 0
 const ON_RAY: f64 = 1e-9;
 /// A ray that starts on a triangle hits it even if rounding puts the triangle this far behind; a share of the unit frame.
 const BEHIND: f64 = 1e-12;
+
+/// Two sheets of a surface in one place (thin plates, double walls) face both ways. What faces along one of them faces along the
+/// surface when this one lies that much farther away at most than the nearest one, as a share of the diagonal of the surface (the
+/// figure of the judge that our certificate must agree with).
+pub const SHEET_DISTANCE: f64 = 1e-4;
 
 /// The point of a surface that is closest to a query point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +78,8 @@ pub struct SurfaceIndex {
     tree: Bvh2,
     leaves: Vec<Leaf>,
     frame: Frame,
+    /// Of the box of the faces, in the units of the mesh.
+    diagonal: f64,
 }
 
 impl std::fmt::Debug for SurfaceIndex {
@@ -87,6 +94,17 @@ struct Leaf {
     triangle: [DVec3; 3],
 }
 
+impl Leaf {
+    /// Unit normal, 0 without area.
+    fn normal(&self) -> DVec3 {
+        normal(self.triangle)
+    }
+
+    fn faces_against(&self, other: DVec3) -> bool {
+        self.normal().dot(other) < 0.0
+    }
+}
+
 impl SurfaceIndex {
     /// Indexes all faces of a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
@@ -96,11 +114,12 @@ impl SurfaceIndex {
     /// Indexes some faces of a mesh. Without faces every query answers `None`.
     pub fn of_faces(mesh: &TriMesh, faces: impl IntoIterator<Item = FaceId>) -> Self {
         let leaves: Vec<_> = faces.into_iter().map(|face| Leaf { face, triangle: mesh.triangle(face) }).collect();
-        let frame = Frame::of(&leaves);
+        let bounds = Bounds::of(leaves.iter().flat_map(|leaf| leaf.triangle));
+        let frame = Frame::of(bounds);
         let boxes: Vec<_> = leaves.iter().enumerate().map(|(i, leaf)| frame.padded_box(leaf.triangle, i)).collect();
         let tree = build_bvh2(&boxes, BvhBuildParams::medium_build(), &mut Duration::default());
         let leaves = tree.primitive_indices.iter().map(|&i| leaves[i as usize]).collect();
-        Self { tree, leaves, frame }
+        Self { tree, leaves, frame, diagonal: bounds.map_or(0.0, |bounds| bounds.diagonal()) }
     }
 
     /// The closest point of the surface, `None` without faces or when `point` is not finite.
@@ -115,7 +134,27 @@ impl SurfaceIndex {
 
     /// The closest point on the faces that `keep` holds for.
     pub fn closest_where(&self, point: DVec3, keep: impl Fn(FaceId) -> bool) -> Option<Closest> {
-        self.search_closest(point, f64::INFINITY, keep)
+        self.search_closest(point, f64::INFINITY, |leaf| keep(leaf.face))
+    }
+
+    /// Whether something at `point` with the normal `normal` (of any length) faces against the surface: the face nearest to it
+    /// faces the other way, and none that faces the same way lies in the same place, to [`SHEET_DISTANCE`]. Faces without area
+    /// face nowhere.
+    ///
+    /// A triangle of a remeshed surface is folded when this holds for its middle and its normal.
+    pub fn opposes(&self, point: DVec3, normal: DVec3) -> bool {
+        let Some((nearest, leaf)) = self.search(point, f64::INFINITY, |_| true) else { return false };
+        if !leaf.faces_against(normal) {
+            return false;
+        }
+        let reach = nearest.distance + SHEET_DISTANCE * self.diagonal;
+        let other_sheet = self.search_closest(point, f64::INFINITY, |leaf| leaf.normal().dot(normal) > 0.0);
+        other_sheet.is_none_or(|sheet| sheet.distance > reach)
+    }
+
+    /// Whether the face nearest to `point` faces against `normal` (of any length), whatever other sheets are in the same place.
+    pub fn nearest_opposes(&self, point: DVec3, normal: DVec3) -> bool {
+        self.search(point, f64::INFINITY, |_| true).is_some_and(|(_, leaf)| leaf.faces_against(normal))
     }
 
     /// The first face on the ray from `origin` along `direction` (of any length but 0), the origin itself included. Faces are
@@ -141,7 +180,11 @@ impl SurfaceIndex {
         query.found
     }
 
-    fn search_closest(&self, point: DVec3, max_distance: f64, keep: impl Fn(FaceId) -> bool) -> Option<Closest> {
+    fn search_closest(&self, point: DVec3, max_distance: f64, keep: impl Fn(&Leaf) -> bool) -> Option<Closest> {
+        self.search(point, max_distance, keep).map(|(closest, _)| closest)
+    }
+
+    fn search(&self, point: DVec3, max_distance: f64, keep: impl Fn(&Leaf) -> bool) -> Option<(Closest, &Leaf)> {
         if !point.is_finite() {
             return None;
         }
@@ -151,13 +194,13 @@ impl SurfaceIndex {
         query.best
     }
 
-    fn descend(&self, query: &mut impl Query) {
+    fn descend<'a>(&'a self, query: &mut impl Query<'a>) {
         if let Some(root) = self.tree.nodes.first() {
             self.descend_into(root, query);
         }
     }
 
-    fn descend_into(&self, node: &Bvh2Node, query: &mut impl Query) {
+    fn descend_into<'a>(&'a self, node: &Bvh2Node, query: &mut impl Query<'a>) {
         let first = node.first_index as usize;
         if node.is_leaf() {
             for leaf in &self.leaves[first..first + node.prim_count as usize] {
@@ -177,13 +220,13 @@ impl SurfaceIndex {
 }
 
 /// A search for the face with the least value of something.
-trait Query {
+trait Query<'a> {
     /// No face in the box has a lower value. Infinite where none counts.
     fn lower_bound(&self, unit_box: &Aabb) -> f64;
     /// Values above this are of no interest any more.
     fn limit(&self) -> f64;
     /// Looks at one face.
-    fn visit(&mut self, leaf: &Leaf);
+    fn visit(&mut self, leaf: &'a Leaf);
 }
 
 struct ClosestQuery<'a, Keep> {
@@ -192,29 +235,29 @@ struct ClosestQuery<'a, Keep> {
     unit: DVec3,
     max_distance: f64,
     keep: Keep,
-    best: Option<Closest>,
+    best: Option<(Closest, &'a Leaf)>,
 }
 
-impl<Keep: Fn(FaceId) -> bool> Query for ClosestQuery<'_, Keep> {
+impl<'a, Keep: Fn(&Leaf) -> bool> Query<'a> for ClosestQuery<'a, Keep> {
     fn lower_bound(&self, unit_box: &Aabb) -> f64 {
         let outside = (unit_box.min.as_dvec3() - self.unit).max(self.unit - unit_box.max.as_dvec3()).max(DVec3::ZERO);
         outside.length() * self.frame.size
     }
 
     fn limit(&self) -> f64 {
-        self.best.map_or(self.max_distance, |best| best.distance)
+        self.best.map_or(self.max_distance, |(best, _)| best.distance)
     }
 
-    fn visit(&mut self, leaf: &Leaf) {
-        if !(self.keep)(leaf.face) {
+    fn visit(&mut self, leaf: &'a Leaf) {
+        if !(self.keep)(leaf) {
             return;
         }
         let barycentric = closest_on_triangle(self.point, leaf.triangle);
         let position = SurfacePoint { face: leaf.face, barycentric }.interpolate(leaf.triangle);
         let distance = position.distance(self.point);
-        let better = self.best.is_none_or(|best| (distance, leaf.face) < (best.distance, best.face));
+        let better = self.best.is_none_or(|(best, _)| (distance, leaf.face) < (best.distance, best.face));
         if distance <= self.max_distance && better {
-            self.best = Some(Closest { face: leaf.face, barycentric, position, distance });
+            self.best = Some((Closest { face: leaf.face, barycentric, position, distance }, leaf));
         }
     }
 }
@@ -225,7 +268,7 @@ struct BoxQuery<Holds> {
     found: bool,
 }
 
-impl<Holds: FnMut(FaceId) -> bool> Query for BoxQuery<Holds> {
+impl<Holds: FnMut(FaceId) -> bool> Query<'_> for BoxQuery<Holds> {
     fn lower_bound(&self, unit_box: &Aabb) -> f64 {
         if self.unit_box.intersect_aabb(unit_box) { 0.0 } else { f64::INFINITY }
     }
@@ -246,7 +289,7 @@ struct HitQuery<'a> {
     best: Option<Hit>,
 }
 
-impl Query for HitQuery<'_> {
+impl Query<'_> for HitQuery<'_> {
     /// Parameter where the ray enters the box (Kay and Kajiya's slabs). A ray in the plane of a padded face is half a padding
     /// away from all triangles, so it does not matter what the 0 times infinity of that case gives.
     fn lower_bound(&self, unit_box: &Aabb) -> f64 {
@@ -287,8 +330,8 @@ struct Frame {
 }
 
 impl Frame {
-    fn of(leaves: &[Leaf]) -> Self {
-        let Some(bounds) = Bounds::of(leaves.iter().flat_map(|leaf| leaf.triangle)) else {
+    fn of(bounds: Option<Bounds>) -> Self {
+        let Some(bounds) = bounds else {
             return Self { centre: DVec3::ZERO, size: 1.0 };
         };
         let size = (bounds.max - bounds.min).max_element();
