@@ -1,11 +1,11 @@
 //! How well a coarse sphere stands for a fine one, and whether it is a subdivided icosahedron:
 //! `cargo run -p certify --example compare`
 
-use certify::{MeasureOptions, certify, measure};
+use certify::{MeasureOptions, Reference, certify, measure};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let (fine, coarse) = (fixtures::icosphere(20), fixtures::icosphere(8));
+    let (fine, coarse) = (Reference::new(fixtures::icosphere(20))?, fixtures::icosphere(8));
     let measures = measure(&fine, &coarse, &MeasureOptions::default())?;
     let (quality, distance) = (&measures.quality, measures.distance.worse());
     println!("mean quality {:.4}, least {:.4}", quality.ar_mean, quality.ar_min);

@@ -2,8 +2,10 @@
 
 use crate::component_counts::{ComponentCounts, component_counts};
 use crate::connectivity::{ConnectivityError, Hierarchy, connectivity};
-use crate::measures::{MeasureError, MeasureOptions, Measures, Topologies, measure};
-use crate::topology::TopologyCounts;
+use crate::error::MeasureError;
+use crate::measures::{MeasureOptions, Measures, measure};
+use crate::reference::Reference;
+use crate::topology::{Topologies, TopologyCounts};
 use mesh_core::{FaceId, IdVec, TriMesh, VertexId};
 
 /// A reason not to call a mesh good.
@@ -139,9 +141,9 @@ impl Certificate {
 /// Checks `output` to be `levels` subdivisions of a base mesh that stands for `input`, from faces and positions alone, and
 /// measures it.
 ///
-/// `input` is what was remeshed: the cleaned mesh, whose topology the output must have. Fails only when one of the two has no
-/// surface; everything else that is wrong is in [`Certificate::failures`].
-pub fn certify(input: &TriMesh, output: &TriMesh, levels: u32, options: &MeasureOptions) -> Result<Certificate, MeasureError> {
+/// `input` is what was remeshed: the cleaned mesh, whose topology the output must have. Fails with [`MeasureError::Remeshed`] when
+/// the output has no surface; everything else that is wrong is in [`Certificate::failures`].
+pub fn certify(input: &Reference, output: &TriMesh, levels: u32, options: &MeasureOptions) -> Result<Certificate, MeasureError> {
     let measures = measure(input, output, options)?;
     let hierarchy = connectivity(output.faces(), levels);
     let mut failures = match &hierarchy {
@@ -219,7 +221,7 @@ mod tests {
     use glam::DVec3;
 
     fn check(input: &TriMesh, output: &TriMesh, levels: u32) -> Certificate {
-        certify(input, output, levels, &MeasureOptions { samples: 1000 }).unwrap()
+        certify(&Reference::new(input.clone()).unwrap(), output, levels, &MeasureOptions { samples: 1000 }).unwrap()
     }
 
     fn failures(input: &TriMesh, output: &TriMesh, levels: u32) -> Vec<Failure> {
@@ -300,7 +302,8 @@ mod tests {
     #[test]
     fn nothing_to_measure_is_an_error() {
         let flat = moved(&square(), |p| p * DVec3::X);
-        assert!(matches!(certify(&flat, &square(), 0, &MeasureOptions::default()), Err(MeasureError::Original(_))));
-        assert!(matches!(certify(&square(), &flat, 0, &MeasureOptions::default()), Err(MeasureError::Remeshed(_))));
+        let square = Reference::new(square()).unwrap();
+        assert!(matches!(certify(&square, &flat, 0, &MeasureOptions::default()), Err(MeasureError::Remeshed(_))));
+        assert!(matches!(Reference::new(flat), Err(MeasureError::Original(_))));
     }
 }

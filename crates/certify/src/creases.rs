@@ -3,7 +3,7 @@
 use crate::distance::Stats;
 use crate::edges::Side;
 use crate::sampling;
-use crate::surface::Surface;
+use crate::weld::Welded;
 use glam::DVec3;
 use mesh_core::{SurfaceIndex, TriMesh, VertexId};
 use rayon::prelude::*;
@@ -29,36 +29,46 @@ pub struct CreaseCover {
     pub distance: Option<Stats>,
 }
 
-/// Measures the creases; `None` when the original has none.
-pub fn crease_cover(original: &Surface, remeshed: &Surface) -> Option<CreaseCover> {
-    let samples = sampling::on_segments(&creases(original, ORIGINAL_CREASE_DEGREES), SAMPLES);
-    if samples.is_empty() {
+/// Points of the creases of an original, spread by length; none where it has no creases.
+pub(crate) fn on_creases(original: &Welded) -> Vec<DVec3> {
+    sampling::on_segments(&creases(original, ORIGINAL_CREASE_DEGREES), SAMPLES)
+}
+
+/// Points of the border of an original, spread by length; none where it has no border.
+pub(crate) fn on_border(original: &Welded) -> Vec<DVec3> {
+    sampling::on_segments(&borders(original), SAMPLES)
+}
+
+/// How points of the original's creases are covered, in parts of its `diagonal`; `None` without points.
+pub(crate) fn crease_cover(on_creases: &[DVec3], remeshed: &Welded, diagonal: f64) -> Option<CreaseCover> {
+    if on_creases.is_empty() {
         return None;
     }
-    let Some(distances) = distances(&samples, &creases(remeshed, REMESHED_CREASE_DEGREES), original.diagonal) else {
+    let Some(distances) = distances(on_creases, &creases(remeshed, REMESHED_CREASE_DEGREES), diagonal) else {
         return Some(CreaseCover { share: 0.0, distance: None });
     };
     let covered = distances.iter().filter(|d| **d < COVER_DISTANCE).count();
     Some(CreaseCover { share: covered as f64 / distances.len() as f64, distance: Some(Stats::of(&distances)) })
 }
 
-/// Mean and greatest distance from the border of the original to that of the remeshed surface, in parts of the original's
-/// diagonal; `None` when one of them has no border.
-pub fn border_distance(original: &Surface, remeshed: &Surface) -> Option<Stats> {
-    let samples = sampling::on_segments(&borders(original), SAMPLES);
-    let distances = distances(&samples, &borders(remeshed), original.diagonal)?;
-    (!samples.is_empty()).then(|| Stats::of(&distances))
+/// From points of the original's border to the border of the remeshed surface, in parts of the original's `diagonal`; `None`
+/// without points, or where the remeshed surface has no border.
+pub(crate) fn border_distance(on_border: &[DVec3], remeshed: &Welded, diagonal: f64) -> Option<Stats> {
+    if on_border.is_empty() {
+        return None;
+    }
+    Some(Stats::of(&distances(on_border, &borders(remeshed), diagonal)?))
 }
 
 /// The edges with two faces whose dihedral angle is greater.
-fn creases(surface: &Surface, degrees: f64) -> Vec<[DVec3; 2]> {
-    let mesh = &surface.welded;
-    let sharp = surface.welded_edges.iter().filter(|sides| dihedral(mesh, sides).is_some_and(|d| d > degrees));
+fn creases(surface: &Welded, degrees: f64) -> Vec<[DVec3; 2]> {
+    let mesh = surface.mesh();
+    let sharp = surface.edges().iter().filter(|sides| dihedral(mesh, sides).is_some_and(|d| d > degrees));
     sharp.map(|sides| segment(mesh, sides[0].ends)).collect()
 }
 
-fn borders(surface: &Surface) -> Vec<[DVec3; 2]> {
-    surface.welded_edges.border().map(|ends| segment(&surface.welded, ends)).collect()
+fn borders(surface: &Welded) -> Vec<[DVec3; 2]> {
+    surface.edges().border().map(|ends| segment(surface.mesh(), ends)).collect()
 }
 
 fn segment(mesh: &TriMesh, ends: [VertexId; 2]) -> [DVec3; 2] {
@@ -93,7 +103,7 @@ mod tests {
     use crate::test_shapes::{cube, moved, sphere, square, subdivide, with_face_turned};
 
     fn cover(original: &TriMesh, remeshed: &TriMesh) -> Option<CreaseCover> {
-        crease_cover(&Surface::new(original).unwrap(), &Surface::new(remeshed).unwrap())
+        crease_cover(&on_creases(&Welded::of(original)), &Welded::of(remeshed), original.diagonal())
     }
 
     #[test]
@@ -131,8 +141,9 @@ mod tests {
     #[test]
     fn borders_of_two_squares() {
         let (a, b) = (square(), moved(&square(), |p| p + 0.1 * DVec3::Z));
-        let (a, b, c) = (Surface::new(&a).unwrap(), Surface::new(&b).unwrap(), cube());
-        assert!((border_distance(&a, &b).unwrap().max - 0.1 / 2f64.sqrt()).abs() < 1e-12);
-        assert_eq!(border_distance(&a, &Surface::new(&c).unwrap()), None);
+        let to = |m: &TriMesh| border_distance(&on_border(&Welded::of(&a)), &Welded::of(m), a.diagonal());
+        assert!((to(&b).unwrap().max - 0.1 / 2f64.sqrt()).abs() < 1e-12);
+        assert_eq!(to(&cube()), None);
+        assert_eq!(border_distance(&on_border(&Welded::of(&cube())), &Welded::of(&b), 1.0), None);
     }
 }

@@ -1,9 +1,8 @@
 //! Distance between two surfaces, METRO style: Cignoni, Rocchini, Scopigno, *Metro: measuring error on simplified surfaces*,
 //! Computer Graphics Forum 1998.
 
-use crate::sampling;
-use crate::surface::Surface;
 use glam::DVec3;
+use mesh_core::SurfaceIndex;
 use rayon::prelude::*;
 
 /// Samples on each of the two surfaces by default: the number of the libigl based judge that these figures are compared with.
@@ -50,28 +49,31 @@ impl Distance {
     }
 }
 
-/// Measures the distance with `samples` points on each surface, spread by area. The greatest distance counts all vertices too.
-pub fn distance(original: &Surface, remeshed: &Surface, samples: usize) -> Distance {
-    let one_way = |from: &Surface, to: &Surface| {
-        let mut stats = Stats::of(&distances(&sampling::on_faces(from.mesh, samples), to, original.diagonal));
-        let at_vertices = Stats::of(&distances(from.welded.positions().as_slice(), to, original.diagonal));
-        stats.max = stats.max.max(at_vertices.max);
-        stats
-    };
-    Distance { forward: one_way(remeshed, original), backward: one_way(original, remeshed) }
+/// Distances from one surface to another, over `unit`: from `samples` of it, and for the greatest one from its `vertices` too.
+pub(crate) fn one_way(samples: &[DVec3], vertices: &[DVec3], to: &SurfaceIndex, unit: f64) -> Stats {
+    let mut stats = Stats::of(&distances(samples, to, unit));
+    let at_vertices = Stats::of(&distances(vertices, to, unit));
+    stats.max = stats.max.max(at_vertices.max);
+    stats
 }
 
-fn distances(points: &[DVec3], to: &Surface, unit: f64) -> Vec<f64> {
-    points.par_iter().map(|&p| to.index.closest(p).map_or(f64::INFINITY, |c| c.distance / unit)).collect()
+fn distances(points: &[DVec3], to: &SurfaceIndex, unit: f64) -> Vec<f64> {
+    points.par_iter().map(|&p| to.closest(p).map_or(f64::INFINITY, |c| c.distance / unit)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sampling;
     use crate::test_shapes::{moved, sphere, square};
+    use mesh_core::TriMesh;
 
-    fn between(a: &mesh_core::TriMesh, b: &mesh_core::TriMesh) -> Distance {
-        distance(&Surface::new(a).unwrap(), &Surface::new(b).unwrap(), 10_000)
+    fn between(a: &TriMesh, b: &TriMesh) -> Distance {
+        let from = |from: &TriMesh, to: &TriMesh| {
+            let samples = sampling::on_faces(from, 10_000);
+            one_way(&samples, from.positions().as_slice(), &SurfaceIndex::new(to), a.diagonal())
+        };
+        Distance { forward: from(b, a), backward: from(a, b) }
     }
 
     fn assert_near(value: f64, expected: f64, tolerance: f64) {

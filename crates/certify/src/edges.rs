@@ -24,6 +24,7 @@ impl Side {
 }
 
 /// All edges in the order of their ends, each with all its sides.
+#[derive(Debug)]
 pub(crate) struct Edges {
     sides: Vec<Side>,
 }

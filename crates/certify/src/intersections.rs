@@ -1,36 +1,40 @@
 //! Which triangles of a surface run into each other? Exact, as CGAL's `self_intersections` defines it: two faces intersect when
 //! they meet in more than an edge or a corner that both have.
 
-use crate::surface::Surface;
 use crate::triangle_pair::{Triangle, meet_beyond_corner, meet_beyond_edge, triangles_meet};
 use crate::weld::first_at_position;
-use mesh_core::{Bounds, FaceId, IdVec, VertexId, exact};
+use mesh_core::{Bounds, FaceId, IdVec, SurfaceIndex, TriMesh, VertexId, exact};
 use rayon::prelude::*;
 
-/// The faces that intersect others, in order. Corners at the same position are the same; faces that are exactly degenerate are
-/// left out.
-pub fn self_intersecting(surface: &Surface) -> Vec<FaceId> {
-    let first = first_at_position(surface.mesh);
-    let corners: IdVec<FaceId, [VertexId; 3]> = surface.mesh.faces().iter().map(|f| f.map(|v| first[v])).collect();
+/// The faces of a mesh that intersect others, in rising order. Corners at the same position are the same; faces that are exactly
+/// degenerate are left out.
+pub fn self_intersecting(mesh: &TriMesh) -> Vec<FaceId> {
+    among(mesh, &SurfaceIndex::new(mesh))
+}
+
+/// The same with the index of the mesh at hand.
+pub(crate) fn among(mesh: &TriMesh, index: &SurfaceIndex) -> Vec<FaceId> {
+    let first = first_at_position(mesh);
+    let corners: IdVec<FaceId, [VertexId; 3]> = mesh.faces().iter().map(|f| f.map(|v| first[v])).collect();
     let degenerate: IdVec<FaceId, bool> = corners
         .ids()
         .map(|f| {
-            let [a, b, c] = surface.mesh.triangle(f);
+            let [a, b, c] = mesh.triangle(f);
             exact::collinear(a, b, c)
         })
         .collect();
     let faces: Vec<FaceId> = corners.ids().filter(|&f| !degenerate[f]).collect();
     // The first partner is enough: in a crumpled surface every face meets thousands.
     let meets_another = |f: FaceId| {
-        let meets = |g: FaceId| g != f && !degenerate[g] && intersect(surface, &corners, f, g);
-        Bounds::of(surface.mesh.triangle(f)).is_some_and(|bounds| surface.index.any_in_box(&bounds, meets))
+        let meets = |g: FaceId| g != f && !degenerate[g] && intersect(mesh, &corners, f, g);
+        Bounds::of(mesh.triangle(f)).is_some_and(|bounds| index.any_in_box(&bounds, meets))
     };
     faces.into_par_iter().filter(|&f| meets_another(f)).collect()
 }
 
-fn intersect(surface: &Surface, corners: &IdVec<FaceId, [VertexId; 3]>, f: FaceId, g: FaceId) -> bool {
+fn intersect(mesh: &TriMesh, corners: &IdVec<FaceId, [VertexId; 3]>, f: FaceId, g: FaceId) -> bool {
     // Corners of the triangle from corner `c` on.
-    let from = |f: FaceId, c: usize| -> Triangle { [0, 1, 2].map(|k| surface.mesh.triangle(f)[(c + k) % 3]) };
+    let from = |f: FaceId, c: usize| -> Triangle { [0, 1, 2].map(|k| mesh.triangle(f)[(c + k) % 3]) };
     let shared = |f: FaceId, g: FaceId| [0, 1, 2].map(|c| corners[g].contains(&corners[f][c]));
     let (in_f, in_g) = (shared(f, g), shared(g, f));
     let corner = |shared: [bool; 3], wanted: bool| (0..3).find(|&c| shared[c] == wanted).unwrap_or(0);
@@ -47,10 +51,9 @@ mod tests {
     use super::*;
     use crate::test_shapes::{cube, joined, mesh, moved, sphere, square};
     use glam::DVec3;
-    use mesh_core::TriMesh;
 
     fn found(m: &TriMesh) -> Vec<u32> {
-        self_intersecting(&Surface::new(m).unwrap()).into_iter().map(|f| f.0).collect()
+        self_intersecting(m).into_iter().map(|f| f.0).collect()
     }
 
     #[test]

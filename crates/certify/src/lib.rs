@@ -1,21 +1,22 @@
 //! An independent check of a finished semi-regular mesh: from its faces and positions alone, with code that shares nothing with
 //! the stages that made it.
 //!
-//! [`certify`] says whether a mesh may be called good; [`measure`] compares any two meshes; the other functions are their parts.
+//! [`certify`] says whether a mesh may be called good; [`measure`] compares any two meshes; [`faulty_faces`] tells in the middle of
+//! the work which triangles would be refused. All of them see the input as a [`Reference`], which is made once. The other functions
+//! are their parts.
 //!
 //! ```
-//! use certify::{MeasureOptions, certify};
+//! use certify::{MeasureOptions, Reference, certify};
 //! use mesh_core::TriMesh;
 //!
 //! // A triangle, and its one subdivision in the order of `connectivity`.
 //! let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
 //! let middles = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-//! let points = |p: &[[f64; 3]]| p.iter().map(|&p| p.into()).collect::<Vec<_>>();
-//! let input = TriMesh::new(points(&corners), vec![[0, 1, 2]])?;
-//! let faces = vec![[0, 3, 5], [1, 4, 3], [2, 5, 4], [4, 5, 3]];
-//! let output = TriMesh::new(points(&[corners, middles].concat()), faces)?;
+//! let input = TriMesh::from_slices(&corners, &[[0, 1, 2]])?;
+//! let faces = [[0, 3, 5], [1, 4, 3], [2, 5, 4], [4, 5, 3]];
+//! let output = TriMesh::from_slices(&[corners, middles].concat(), &faces)?;
 //!
-//! let certificate = certify(&input, &output, 1, &MeasureOptions::default())?;
+//! let certificate = certify(&Reference::new(input)?, &output, 1, &MeasureOptions::default())?;
 //! assert!(certificate.passed(), "{:?}", certificate.failures());
 //! assert!(certificate.measures.distance.worse().max < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -27,12 +28,13 @@ mod connectivity;
 mod creases;
 mod distance;
 mod edges;
+mod error;
+mod faults;
 mod intersections;
 mod measures;
-mod orientation;
 mod quality;
+mod reference;
 mod sampling;
-mod surface;
 #[cfg(test)]
 mod test_shapes;
 mod topology;
@@ -43,12 +45,13 @@ mod weld;
 pub use certificate::{Certificate, Failure, Warning, certify};
 pub use component_counts::{ComponentCounts, component_counts};
 pub use connectivity::{ConnectivityError, Hierarchy, LevelCounts, connectivity};
-pub use creases::{COVER_DISTANCE, CreaseCover, ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES, border_distance, crease_cover};
-pub use distance::{DEFAULT_SAMPLES, Distance, Stats, distance};
+pub use creases::{COVER_DISTANCE, CreaseCover, ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES};
+pub use distance::{DEFAULT_SAMPLES, Distance, Stats};
+pub use error::{MeasureError, NoSurface};
+pub use faults::{Faults, faulty_faces, faulty_faces_among, flipped};
 pub use intersections::self_intersecting;
-pub use measures::{MeasureError, MeasureOptions, Measures, Topologies, measure};
-pub use orientation::flipped;
+pub use measures::{MeasureOptions, Measures, measure};
 pub use quality::{DEGENERATE_ASPECT_RATIO, Quality, quality};
-pub use surface::{NoSurface, Surface};
-pub use topology::TopologyCounts;
+pub use reference::Reference;
+pub use topology::{Topologies, TopologyCounts};
 pub use weld::weld;

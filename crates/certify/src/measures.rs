@@ -1,13 +1,16 @@
 //! All measures between an original and a remeshed surface at once.
 
 use crate::creases::{CreaseCover, border_distance, crease_cover};
-use crate::distance::{DEFAULT_SAMPLES, Distance, Stats, distance};
-use crate::intersections::self_intersecting;
-use crate::orientation::flipped;
-use crate::quality::{Quality, quality};
-use crate::surface::{NoSurface, Surface};
-use crate::topology::TopologyCounts;
-use mesh_core::{FaceId, TriMesh};
+use crate::distance::{DEFAULT_SAMPLES, Distance, Stats, one_way};
+use crate::error::{MeasureError, NoSurface};
+use crate::faults::flipped;
+use crate::intersections;
+use crate::quality::{self, Quality};
+use crate::reference::Reference;
+use crate::sampling;
+use crate::topology::Topologies;
+use crate::weld::Welded;
+use mesh_core::{FaceId, SurfaceIndex, TriMesh};
 
 /// How to measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,26 +24,6 @@ impl Default for MeasureOptions {
     fn default() -> Self {
         Self { samples: DEFAULT_SAMPLES }
     }
-}
-
-/// One of two meshes cannot be measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum MeasureError {
-    /// The original.
-    #[error("original: {0}")]
-    Original(NoSurface),
-    /// The remeshed one.
-    #[error("remeshed: {0}")]
-    Remeshed(NoSurface),
-}
-
-/// Counts of one mesh as its indices say, and as its positions say.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Topologies {
-    /// As indexed.
-    pub indexed: TopologyCounts,
-    /// After an exact weld.
-    pub welded: TopologyCounts,
 }
 
 /// Everything that is measured between two meshes. Lengths are in parts of the original's box diagonal.
@@ -67,25 +50,25 @@ pub struct Measures {
     pub remeshed_topology: Topologies,
 }
 
-/// Measures a remeshed mesh against its original.
-pub fn measure(original: &TriMesh, remeshed: &TriMesh, options: &MeasureOptions) -> Result<Measures, MeasureError> {
-    let original = Surface::new(original).map_err(MeasureError::Original)?;
-    let remeshed = Surface::new(remeshed).map_err(MeasureError::Remeshed)?;
-    let original_topology = topologies(&original);
+/// Measures a remeshed mesh against its original. Fails with [`MeasureError::Remeshed`] where it has no area, or one that
+/// overflows.
+pub fn measure(original: &Reference, remeshed: &TriMesh, options: &MeasureOptions) -> Result<Measures, MeasureError> {
+    NoSurface::check(remeshed).map_err(MeasureError::Remeshed)?;
+    let (welded, index, unit) = (Welded::of(remeshed), SurfaceIndex::new(remeshed), original.diagonal());
+    let samples = options.samples.max(1);
+    let distance = Distance {
+        forward: one_way(&sampling::on_faces(remeshed, samples), welded.mesh().positions().as_slice(), original.index(), unit),
+        backward: one_way(&original.samples(samples), original.vertices(), &index, unit),
+    };
     Ok(Measures {
-        quality: quality(remeshed.mesh),
-        distance: distance(&original, &remeshed, options.samples.max(1)),
-        creases: crease_cover(&original, &remeshed),
-        border: border_distance(&original, &remeshed),
-        flipped: original_topology.indexed.oriented.then(|| flipped(&original, remeshed.mesh)),
-        original_self_intersecting: self_intersecting(&original).len(),
-        remeshed_self_intersecting: self_intersecting(&remeshed).len(),
-        original_topology,
-        remeshed_topology: topologies(&remeshed),
+        quality: quality::with_welded(remeshed, &welded),
+        distance,
+        creases: crease_cover(original.on_creases(), &welded, unit),
+        border: border_distance(original.on_border(), &welded, unit),
+        flipped: original.topologies().indexed.oriented.then(|| flipped(original, remeshed)),
+        original_self_intersecting: original.self_intersecting().len(),
+        remeshed_self_intersecting: intersections::among(remeshed, &index).len(),
+        original_topology: original.topologies(),
+        remeshed_topology: Topologies::of(remeshed, &welded),
     })
-}
-
-fn topologies(surface: &Surface) -> Topologies {
-    let of = |mesh: &TriMesh| TopologyCounts::of(mesh.faces());
-    Topologies { indexed: of(surface.mesh), welded: of(&surface.welded) }
 }

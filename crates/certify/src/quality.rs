@@ -1,8 +1,7 @@
 //! Shape of the triangles of a mesh: the paper's section 5 figures, and with them the variation of the areas.
 
-use crate::edges::Edges;
 use crate::topology::n_vertices;
-use crate::weld::weld;
+use crate::weld::Welded;
 use mesh_core::{Id, TriMesh, angles, aspect_ratio};
 use std::collections::BTreeMap;
 
@@ -45,6 +44,11 @@ impl Quality {
 
 /// Measures the triangles of a mesh.
 pub fn quality(mesh: &TriMesh) -> Quality {
+    with_welded(mesh, &Welded::of(mesh))
+}
+
+/// The same with the welded mesh at hand.
+pub(crate) fn with_welded(mesh: &TriMesh, welded: &Welded) -> Quality {
     if mesh.n_faces() == 0 {
         return Quality::default();
     }
@@ -65,7 +69,7 @@ pub fn quality(mesh: &TriMesh) -> Quality {
         area_cv: area_variance.sqrt() / area_mean,
         area_ratio: greatest(areas.as_slice()) / least(areas.as_slice()),
         degenerate: ratios.partition_point(|&q| q < DEGENERATE_ASPECT_RATIO),
-        valences: valences(&weld(mesh)),
+        valences: valences(welded),
     }
 }
 
@@ -90,9 +94,9 @@ fn percentile(sorted: &[f64], q: f64) -> f64 {
     sorted[below] + (rank - below as f64) * (sorted[above] - sorted[below])
 }
 
-fn valences(mesh: &TriMesh) -> BTreeMap<usize, usize> {
-    let edges = Edges::of(mesh.faces());
-    let n = n_vertices(mesh.faces());
+fn valences(welded: &Welded) -> BTreeMap<usize, usize> {
+    let edges = welded.edges();
+    let n = n_vertices(welded.mesh().faces());
     let mut valence = vec![0; n];
     for end in edges.iter().flat_map(|sides| sides[0].ends) {
         valence[end.index()] += 1;

@@ -2,7 +2,8 @@
 
 use crate::edges::{Edges, Side};
 use crate::union_find::UnionFind;
-use mesh_core::{FaceId, Id, IdVec, VertexId};
+use crate::weld::Welded;
+use mesh_core::{FaceId, Id, IdVec, TriMesh, VertexId};
 
 /// What a face list is, by counting. Vertices without faces do not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +31,10 @@ pub struct TopologyCounts {
 impl TopologyCounts {
     /// Counts.
     pub fn of(faces: &IdVec<FaceId, [VertexId; 3]>) -> Self {
-        let edges = Edges::of(faces);
+        Self::with_edges(faces, &Edges::of(faces))
+    }
+
+    fn with_edges(faces: &IdVec<FaceId, [VertexId; 3]>, edges: &Edges) -> Self {
         let n = n_vertices(faces);
         let mut used = IdVec::<VertexId, bool>::filled(false, n);
         faces.iter().flatten().for_each(|&v| used[v] = true);
@@ -43,7 +47,7 @@ impl TopologyCounts {
             border_loops: parts(n, edges.border()),
             border_edges: edges.border().count(),
             nonmanifold_edges: edges.iter().filter(|sides| sides.len() > 2).count(),
-            nonmanifold_vertices: nonmanifold_vertices(faces, &edges, n),
+            nonmanifold_vertices: nonmanifold_vertices(faces, edges, n),
             oriented: edges.oriented(),
         }
     }
@@ -63,6 +67,24 @@ impl TopologyCounts {
 impl std::fmt::Display for TopologyCounts {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} components, Euler number {}, {} border loops", self.components, self.euler, self.border_loops)
+    }
+}
+
+/// Counts of one mesh as its indices say, and as its positions say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Topologies {
+    /// As indexed.
+    pub indexed: TopologyCounts,
+    /// After an exact weld.
+    pub welded: TopologyCounts,
+}
+
+impl Topologies {
+    pub(crate) fn of(mesh: &TriMesh, welded: &Welded) -> Self {
+        let by_position = TopologyCounts::with_edges(welded.mesh().faces(), welded.edges());
+        // Without vertices at the same position the weld has only numbered them anew, which no count depends on.
+        let indexed = if welded.merged() { TopologyCounts::of(mesh.faces()) } else { by_position };
+        Self { indexed, welded: by_position }
     }
 }
 

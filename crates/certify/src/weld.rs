@@ -1,8 +1,41 @@
 //! Exact weld: vertices at one position become one.
 
+use crate::edges::Edges;
 use glam::DVec3;
 use mesh_core::{IdVec, TriMesh, VertexId};
 use rustc_hash::FxHashMap;
+
+/// A mesh connected by position, and its edges.
+#[derive(Debug)]
+pub(crate) struct Welded {
+    mesh: TriMesh,
+    edges: Edges,
+    merged: bool,
+}
+
+impl Welded {
+    pub(crate) fn of(mesh: &TriMesh) -> Self {
+        let first = first_at_position(mesh);
+        let merged = first.enumerate().any(|(v, &first)| first != v);
+        let mesh = weld_by(mesh, &first);
+        Self { edges: Edges::of(mesh.faces()), mesh, merged }
+    }
+
+    /// The welded mesh.
+    pub(crate) fn mesh(&self) -> &TriMesh {
+        &self.mesh
+    }
+
+    /// Edges of the welded mesh.
+    pub(crate) fn edges(&self) -> &Edges {
+        &self.edges
+    }
+
+    /// Whether vertices at the same position were made one.
+    pub(crate) fn merged(&self) -> bool {
+        self.merged
+    }
+}
 
 /// For every vertex the first one at its position.
 pub(crate) fn first_at_position(mesh: &TriMesh) -> IdVec<VertexId, VertexId> {
@@ -15,7 +48,10 @@ pub(crate) fn first_at_position(mesh: &TriMesh) -> IdVec<VertexId, VertexId> {
 ///
 /// Connectivity by position is what another program sees in a file, whatever the indices say.
 pub fn weld(mesh: &TriMesh) -> TriMesh {
-    let first = first_at_position(mesh);
+    weld_by(mesh, &first_at_position(mesh))
+}
+
+fn weld_by(mesh: &TriMesh, first: &IdVec<VertexId, VertexId>) -> TriMesh {
     let mut new_index = IdVec::<VertexId, Option<u32>>::filled(None, mesh.n_vertices());
     let mut positions = Vec::new();
     let mut faces = Vec::with_capacity(mesh.n_faces());
