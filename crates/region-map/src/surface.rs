@@ -1,7 +1,7 @@
 //! [`Surface`]: what every stage from the features on runs on.
 
 use crate::{ArcKind, Network, NetworkError, SheetId, SheetNormals};
-use mesh_core::{IdVec, SurfaceIndex, Topology, TopologyError, TriMesh, VertexId};
+use mesh_core::{IdVec, Interrupt, SurfaceIndex, Topology, TopologyError, TriMesh, VertexId};
 use std::sync::{Arc as Shared, OnceLock};
 
 /// The surface that a domain mesh moves on: the working mesh with its topology, cut into sheets by a network.
@@ -14,6 +14,7 @@ pub struct Surface {
     network: Shared<Network>,
     normals: Shared<OnceLock<SheetNormals>>,
     sheet_indices: Shared<OnceLock<IdVec<SheetId, SurfaceIndex>>>,
+    interrupt: Interrupt,
 }
 
 /// What does not depend on the network.
@@ -79,17 +80,29 @@ impl Surface {
         if let Some(v) = mesh.positions().ids().find(|&v| topology.fan(v).next().is_none()) {
             return Err(SurfaceError::UnusedVertex(v));
         }
-        Ok(Self::of(Shared::new(Working { mesh, topology, index: OnceLock::new() }), network))
+        let working = Working { mesh, topology, index: OnceLock::new() };
+        Ok(Self::of(Shared::new(working), network, Interrupt::default()))
     }
 
     /// The same mesh with another network. Fails where that is of another mesh.
     pub fn with_network(&self, network: Network) -> Result<Self, SurfaceError> {
         network.check_sizes(self.mesh(), self.topology())?;
-        Ok(Self::of(self.working.clone(), network))
+        Ok(Self::of(self.working.clone(), network, self.interrupt.clone()))
     }
 
-    fn of(working: Shared<Working>, network: Network) -> Self {
-        Self { working, network: Shared::new(network), normals: Shared::default(), sheet_indices: Shared::default() }
+    /// The same surface with a flag that ends the stages that run on it: each then returns soon, with what it has.
+    pub fn with_interrupt(self, interrupt: Interrupt) -> Self {
+        Self { interrupt, ..self }
+    }
+
+    /// The flag that ends the stages that run on this surface. Nobody sets it unless [`Surface::with_interrupt`] gave it.
+    pub fn interrupt(&self) -> &Interrupt {
+        &self.interrupt
+    }
+
+    fn of(working: Shared<Working>, network: Network, interrupt: Interrupt) -> Self {
+        let (normals, sheet_indices) = (Shared::default(), Shared::default());
+        Self { working, network: Shared::new(network), normals, sheet_indices, interrupt }
     }
 
     /// The working mesh.
