@@ -12,6 +12,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{input}: {} vertices, {} triangles", document.soup.positions.len(), document.soup.triangles.len());
     println!("{} polygons, {} with more than 3 sides", document.n_polygons, document.n_polygons_above_3);
     println!("{} polygons with an index out of range", document.polygons_out_of_range.len());
+    for extra in &document.extras {
+        println!("not taken over: {extra}");
+    }
     if let Some(output) = files.get(1) {
         let mesh = TriMesh::new(document.soup.positions, document.soup.triangles)?;
         mesh_io::write(Path::new(output), &mesh)?;

@@ -1,6 +1,7 @@
 //! What a file says.
 
 use crate::error::Fault;
+use crate::extra::{Extra, Extras};
 use glam::DVec3;
 use mesh_core::Soup;
 
@@ -23,12 +24,16 @@ pub struct Document {
     /// Line segments (`l` of an obj, the element `edge` of a ply) as pairs of vertices, which may be out of range. No other format
     /// has them.
     pub lines: Vec<[u32; 2]>,
+    /// What else the file holds, each kind once. None of it is in this document, but for the lines.
+    pub extras: Vec<Extra>,
 }
 
 /// Collects a [`Document`].
 #[derive(Default)]
 pub(crate) struct Builder {
     document: Document,
+    /// What the file holds beside polygons.
+    pub(crate) extras: Extras,
 }
 
 impl Builder {
@@ -67,6 +72,8 @@ impl Builder {
             soup.triangles.iter().zip(&self.document.polygon_of).filter(|(t, _)| bad(t)).map(|(_, &p)| p).collect();
         polygons.dedup();
         self.document.polygons_out_of_range = polygons;
+        self.extras.note_if(!self.document.lines.is_empty(), Extra::PointsOrLines);
+        self.document.extras = self.extras.list();
         Ok(self.document)
     }
 }

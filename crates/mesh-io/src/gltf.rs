@@ -7,6 +7,7 @@
 mod accessor;
 mod buffers;
 mod scene;
+mod unread;
 mod write;
 
 pub(crate) use write::{write_binary, write_json};
@@ -33,7 +34,7 @@ const MAX_UNFOLDED: u64 = 1 << 27;
 
 /// Reads gltf or glb, told apart by their first bytes. Buffers in other files are looked for in `directory`, refused without it.
 ///
-/// Every mesh of the scene is put in place by the transforms of its nodes, once for each use. Points and lines are skipped.
+/// Every mesh of the scene is put in place by the transforms of its nodes, once for each use. Points and lines are noted and skipped.
 pub(crate) fn read(bytes: &[u8], directory: Option<&Path>) -> Result<Document, Fault> {
     let (json, blob) = split(bytes)?;
     let root = Root::from_slice(&json).map_err(|e| Fault::data(format!("gltf: {e}")))?;
@@ -44,6 +45,7 @@ pub(crate) fn read(bytes: &[u8], directory: Option<&Path>) -> Result<Document, F
     check_size(&root, &instances)?;
     let buffers = Buffers::load(&root, blob, directory)?;
     let mut builder = Builder::default();
+    unread::note(&root, &instances, &mut builder.extras);
     for (mesh, transform) in instances {
         push_mesh(&mut builder, &buffers, mesh, transform)?;
     }

@@ -1,6 +1,7 @@
 //! Reading (also compressed by gzip) and writing obj, ply, stl, off, gltf and glb.
 //!
-//! [`read()`] gives what the file says, as a [`mesh_core::Soup`] in a [`Document`]; cleaning is not done here. [`write()`] is
+//! [`read()`] gives what the file says, as a [`mesh_core::Soup`] in a [`Document`]; cleaning is not done here. What else the file holds
+//! (texture coordinates, materials, ...) is named in [`Document::extras`]. [`write()`] is
 //! atomic and keeps the order of vertices and faces.
 //!
 //! ```
@@ -20,6 +21,7 @@
 mod base64;
 mod document;
 mod error;
+mod extra;
 mod format;
 mod gltf;
 mod obj;
@@ -34,6 +36,7 @@ mod write;
 
 pub use document::Document;
 pub use error::{ReadError, WriteError};
+pub use extra::Extra;
 pub use format::Format;
 pub use read::{read, read_bytes};
 pub use write::{writable_format, write, write_bytes, write_colored_ply};

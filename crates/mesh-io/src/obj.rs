@@ -8,14 +8,16 @@
 
 use crate::document::{Builder, Document, saturating_index};
 use crate::error::Fault;
+use crate::extra::{Extra, Extras};
 use crate::text::{decode, integer, number};
 use glam::DVec3;
 use mesh_core::TriMesh;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use tobj::LoadOptions;
 
-/// Reads an obj file: vertices, faces and lines. All else (normals, texture coordinates, points, curves, names) is left unread:
-/// exporters write texts such as `-nan(ind)` for normals, which must not cost the mesh.
+/// Reads an obj file: vertices, faces and lines. All else (normals, texture coordinates, points, curves, names) is noted, but left
+/// unread: exporters write texts such as `-nan(ind)` for normals, which must not cost the mesh.
 pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
     let scan = Scan::of(&decode(bytes))?;
     let (positions, kept_corners) = parse(&scan)?;
@@ -34,6 +36,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
         }
     }
     scan.polylines.iter().for_each(|line| builder.polyline(line));
+    builder.extras = scan.extras();
     builder.finish()
 }
 
@@ -49,6 +52,11 @@ struct Scan {
     ends: Vec<usize>,
     /// Vertices of the `l` lines, from 0; `u32::MAX` for what is no index.
     polylines: Vec<Vec<u32>>,
+    /// What is there that is not read; counts of names come at the end.
+    unread: Extras,
+    materials: BTreeSet<String>,
+    objects: BTreeSet<String>,
+    groups: BTreeSet<String>,
 }
 
 impl Scan {
@@ -67,7 +75,8 @@ impl Scan {
                 Some("v") => scan.vertex(&words.collect::<Vec<_>>(), i + 1)?,
                 Some("f") => scan.face(words, i + 1)?,
                 Some("l") => scan.line(words, i + 1),
-                _ => {}
+                Some(keyword) => scan.unread(keyword, words),
+                None => {}
             }
         }
         Ok(scan)
@@ -82,6 +91,7 @@ impl Scan {
             number(word, line)?;
         }
         let used = if words.len() == 4 { 4 } else { 3 };
+        self.unread.note_if(words.len() >= 6, Extra::Colors);
         if used == 4 && number(words[3], line)? == 0.0 {
             return Err(Fault::line(line, "a vertex of weight 0 is at infinity"));
         }
@@ -114,6 +124,29 @@ impl Scan {
         let index = |word| vertex_index(word, line).map_or(u32::MAX, |index| saturating_index(self.counted_from_zero(index)));
         let polyline = words.map(index).collect();
         self.polylines.push(polyline);
+    }
+
+    /// Notes what a line says that is not read.
+    fn unread<'a>(&mut self, keyword: &str, words: impl Iterator<Item = &'a str>) {
+        let name = || words.collect::<Vec<_>>().join(" ");
+        match keyword {
+            "vn" => self.unread.note(Extra::Normals),
+            "vt" => self.unread.note(Extra::TextureCoordinates),
+            "p" => self.unread.note(Extra::PointsOrLines),
+            "curv" | "curv2" | "surf" => self.unread.note(Extra::FreeForm),
+            "usemtl" => drop(self.materials.insert(name())),
+            "o" => drop(self.objects.insert(name())),
+            "g" => drop(self.groups.insert(name())),
+            _ => {}
+        }
+    }
+
+    fn extras(self) -> Extras {
+        let mut extras = self.unread;
+        extras.note(Extra::Materials(self.materials.len()));
+        // Exporters often make a group of every object: they are not counted twice.
+        extras.note(Extra::Parts(self.objects.len().max(self.groups.len())));
+        extras
     }
 
     /// An index of the file counted from 0. Negative ones count back from the last vertex so far. 0 is no index: it becomes -1, out

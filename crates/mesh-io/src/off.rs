@@ -2,6 +2,7 @@
 
 use crate::document::{Builder, Document, saturating_index};
 use crate::error::Fault;
+use crate::extra::{Extra, Extras};
 use crate::text::{Words, decode, integer, number, quoted};
 use glam::DVec3;
 use mesh_core::TriMesh;
@@ -10,11 +11,12 @@ use std::fmt::Write;
 /// Reads an off file of any kind (`OFF`, `COFF`, `NOFF`, `STOFF`, ...) in three dimensions, also without its first word.
 ///
 /// Vertices and faces start on lines of their own; what follows the position or the corners on the line (normals, colours,
-/// texture coordinates) is left unread.
+/// texture coordinates) is noted, but left unread.
 pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
     let text = decode(bytes);
     let mut words = Words::new(&text, 1).without_comments();
-    let (n_vertices, n_faces) = counts(&mut words)?;
+    let Header { prefix, n_vertices, n_faces } = header(&mut words)?;
+    let mut more_at_vertices = false;
     let mut builder = Builder::default();
     for i in 0..n_vertices {
         let mut p = [0.0; 3];
@@ -22,23 +24,42 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
             *x = number(words.expect(|| format!("vertex {i} of {n_vertices}"))?, words.line())?;
         }
         builder.vertex(p.into());
-        words.end_line();
+        more_at_vertices |= words.end_line();
+    }
+    if more_at_vertices {
+        note_vertex_extras(&prefix, &mut builder.extras);
     }
     let mut corners = Vec::new();
     for i in 0..n_faces {
         face(&mut words, &mut corners, || format!("face {i} of {n_faces}"))?;
         builder.polygon(&corners);
-        words.end_line();
+        builder.extras.note_if(words.end_line(), Extra::Colors);
     }
     builder.finish()
 }
 
-/// Numbers of vertices and faces, which may be on the line of the header word or after it. That of edges is not used.
-fn counts(words: &mut Words) -> Result<(i64, i64), Fault> {
+/// The header: what stands before `OFF`, in capitals, and the numbers of vertices and faces.
+struct Header {
+    prefix: String,
+    n_vertices: i64,
+    n_faces: i64,
+}
+
+/// Notes what the prefix says of the numbers after the positions; without a word on them they are colours more often than not.
+fn note_vertex_extras(prefix: &str, extras: &mut Extras) {
+    extras.note_if(prefix.contains("ST"), Extra::TextureCoordinates);
+    extras.note_if(prefix.contains('C') || prefix.is_empty(), Extra::Colors);
+    extras.note_if(prefix.contains('N'), Extra::Normals);
+}
+
+/// Reads the header. Its numbers may be on the line of its word or after it. That of edges is not used.
+fn header(words: &mut Words) -> Result<Header, Fault> {
     let what = || "the header".to_owned();
     let mut word = words.expect(what)?;
+    let mut prefix = String::new();
     if let Some(end) = word.to_ascii_uppercase().find("OFF") {
         check_kind(&word[..end], words.line())?;
+        prefix = word[..end].to_ascii_uppercase();
         // Files of a well-known data set (ModelNet) have the first count glued to the word: OFF490 518 0.
         word = if word.len() > end + 3 { &word[end + 3..] } else { words.expect(what)? };
     }
@@ -48,7 +69,7 @@ fn counts(words: &mut Words) -> Result<(i64, i64), Fault> {
     let n_vertices = count(word, words.line())?;
     let n_faces = count(words.expect(what)?, words.line())?;
     words.end_line();
-    Ok((n_vertices, n_faces))
+    Ok(Header { prefix, n_vertices, n_faces })
 }
 
 /// What may stand before `OFF` as long as the position is the first three numbers of a vertex.

@@ -4,17 +4,19 @@
 //! whose name comes twice, and it keeps every element of the file in memory.
 
 mod header;
+mod unread;
 mod values;
 
 use crate::document::{Builder, Document, saturating_index, strip_triangles};
 use crate::error::Fault;
+use crate::extra::Extra;
 use glam::DVec3;
 use header::{Element, Encoding, Header, Kind};
 use mesh_core::TriMesh;
 use values::Values;
 
 /// Reads a ply file: positions from the element `vertex`, polygons from `face`, triangle strips from `tristrips`, lines from `edge`.
-/// Other elements and properties are skipped.
+/// Other elements and properties are noted and skipped.
 pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
     let header = Header::parse(bytes)?;
     let body = &bytes[header.length..];
@@ -27,6 +29,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
 fn elements(header: &Header, values: &mut Values) -> Result<Document, Fault> {
     let mut builder = Builder::default();
     for element in &header.elements {
+        unread::note(element, &mut builder.extras);
         match element.name.as_str() {
             "vertex" => vertices(element, values, &mut builder)?,
             "face" => faces(element, values, &mut builder)?,
@@ -35,6 +38,7 @@ fn elements(header: &Header, values: &mut Values) -> Result<Document, Fault> {
             _ => rows(element, values, |_, _| Ok(()))?,
         }
     }
+    builder.extras.note(Extra::Textures(header.textures));
     builder.finish()
 }
 

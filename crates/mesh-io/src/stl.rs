@@ -6,6 +6,7 @@
 
 use crate::document::{Builder, Document};
 use crate::error::{Fault, WriteError};
+use crate::extra::Extra;
 use crate::single_precision::single_precision;
 use crate::text::{Words, decode, number, quoted, without_mark};
 use glam::{DVec3, Vec3};
@@ -44,6 +45,8 @@ fn read_binary(bytes: &[u8]) -> Result<Document, Fault> {
     if claimed > present {
         return Err(Fault::data(format!("the header claims {claimed} triangles but the file has room for {present}")));
     }
+    let records = bytes[HEADER..].chunks_exact(RECORD).take(claimed as usize);
+    let has_attributes = records.map(|record| &record[RECORD - 2..]).any(|attribute| attribute != [0, 0]);
     // Without the word that would make stl_io take it for text.
     let mut copy = bytes.to_vec();
     copy[..HEADER - 4].fill(0);
@@ -54,6 +57,7 @@ fn read_binary(bytes: &[u8]) -> Result<Document, Fault> {
         let corners = triangle.map_err(fault)?.vertices;
         push_facet(&mut builder, &corners.map(|v| Vec3::from(v.0).as_dvec3()));
     }
+    builder.extras.note_if(has_attributes, Extra::FaceAttributes);
     builder.finish()
 }
 
@@ -61,16 +65,24 @@ fn read_text(bytes: &[u8]) -> Result<Document, Fault> {
     let text = decode(bytes);
     let mut words = Words::new(&text, 1);
     let mut builder = Builder::default();
+    // Solids with facets, and whether the present one has had none yet.
+    let (mut solids, mut is_new) = (0, true);
     while let Some(word) = words.next() {
         match word.to_ascii_lowercase().as_str() {
-            "solid" | "endsolid" => words.end_line(),
+            "solid" => {
+                is_new = true;
+                words.end_line();
+            }
+            "endsolid" => drop(words.end_line()),
             "facet" => {
+                solids += usize::from(std::mem::replace(&mut is_new, false));
                 let corners = facet(&mut words)?;
                 push_facet(&mut builder, &corners);
             }
             _ => return Err(Fault::line(words.line(), format!("{} where a facet should begin", quoted(word)))),
         }
     }
+    builder.extras.note(Extra::Parts(solids));
     builder.finish()
 }
 

@@ -58,9 +58,9 @@ impl<'a> Words<'a> {
     pub(crate) fn line(&self) -> usize {
         self.line
     }
-    /// Drops what is left of the line.
-    pub(crate) fn end_line(&mut self) {
-        self.words = "".split_whitespace();
+    /// Drops what is left of the line; whether that was anything.
+    pub(crate) fn end_line(&mut self) -> bool {
+        std::mem::replace(&mut self.words, "".split_whitespace()).next().is_some()
     }
     /// The next word; `reading` says what it should belong to if the text ends here.
     pub(crate) fn expect(&mut self, reading: impl FnOnce() -> String) -> Result<&'a str, Fault> {

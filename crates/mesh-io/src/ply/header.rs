@@ -55,13 +55,15 @@ pub(super) struct Header {
     pub(super) length: usize,
     /// Number of lines.
     pub(super) lines: usize,
+    /// Number of comments that name a texture image, as MeshLab writes them.
+    pub(super) textures: usize,
 }
 
 impl Header {
     pub(super) fn parse(bytes: &[u8]) -> Result<Self, Fault> {
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
-        let mut length = 0;
+        let (mut length, mut textures) = (0, 0);
         for (i, raw) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
             let line = i + 1;
             length += raw.len();
@@ -78,8 +80,9 @@ impl Header {
                 },
                 ["end_header"] => {
                     let encoding = encoding.ok_or_else(|| Fault::line(line, "the header has no line \"format\""))?;
-                    return Ok(Self { encoding, elements, length, lines: line });
+                    return Ok(Self { encoding, elements, length, lines: line, textures });
                 }
+                ["comment", "TextureFile", ..] => textures += 1,
                 [] | ["comment" | "obj_info", ..] => {}
                 [word, ..] => return Err(Fault::line(line, format!("{} is no header line of ply", quoted(word)))),
             }

@@ -1,5 +1,6 @@
 //! One binary for all tests of the public interface.
 
+mod extras;
 /// What fuzzing asks of any bytes, so that it stays true of the code of today.
 #[path = "../../../../fuzz/src/lib.rs"]
 pub mod fuzz;
@@ -19,6 +20,11 @@ use mesh_io::{Document, Format, ReadError, read_bytes};
 /// The contents read, or the test fails with the error.
 fn document(contents: impl AsRef<[u8]>, format: Format) -> Document {
     read_bytes(contents.as_ref(), format).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The document as if the file held nothing else.
+fn without_extras(document: Document) -> Document {
+    Document { extras: Vec::new(), ..document }
 }
 
 /// Checks that the contents are refused with an error that names `line` (`None` for binary) and says `what`.
