@@ -9,7 +9,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, mesh) in [("part", fixtures::part(8)), ("scan", fixtures::scan(8))] {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
         for base_edge_length in [0.0, wanted.unwrap_or(0.05 * mesh.diagonal())] {
-            let network = detect(&mesh, &topology, &FeatureOptions { base_edge_length, ..Default::default() })?;
+            let network = detect(&mesh, &topology, &[], base_edge_length, &FeatureOptions::default())?;
             println!(
                 "{name} at {base_edge_length:.3}: {} corners, {} arcs of length {:.2}, {} sheets, {} chains left out",
                 network.corners.len(),

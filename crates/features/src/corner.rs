@@ -1,8 +1,7 @@
 //! Corners that the degree of a vertex does not show: sharp turns along a chain, and the tips of cones.
 
-use crate::crease::edges_at;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId, angles};
-use region_map::{Arc, ArcKind, Network};
+use region_map::{Arc, ArcKind, Network, spokes};
 use std::f64::consts::TAU;
 
 /// A chain that turns by more than this has a corner, in degrees (prior art 2a).
@@ -57,7 +56,7 @@ fn turn_at(mesh: &TriMesh, arc: &Arc, i: usize, window: f64) -> f64 {
 /// Vertices off the network whose angle defect is large and stands alone.
 pub(crate) fn cone_tips(mesh: &TriMesh, topology: &Topology, kinds: &IdVec<EdgeId, Option<ArcKind>>) -> Vec<VertexId> {
     let defect = angle_defects(mesh, topology);
-    let on_network = |v: VertexId| edges_at(topology, v).any(|e| kinds[e].is_some());
+    let on_network = |v: VertexId| spokes(topology, v).any(|h| kinds[topology.edge(h)].is_some());
     let alone =
         |v: VertexId| topology.one_ring(v).filter(|&w| !on_network(w)).all(|w| defect[w].abs() <= TIP_NEIGHBOURS * defect[v]);
     defect.ids().filter(|&v| defect[v] >= TIP_DEFECT && !on_network(v) && alone(v)).collect()

@@ -1,8 +1,8 @@
 //! Creases by dihedral angle with hysteresis.
 
-use crate::FeatureOptions;
-use mesh_core::{EdgeId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
-use region_map::ArcKind;
+use crate::options::FeatureOptions;
+use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
+use region_map::{ArcKind, spokes};
 
 /// A crease goes on over weak edges that turn by less than 60 degrees, which is what a triangulation without an edge along the
 /// crease needs.
@@ -19,7 +19,7 @@ impl Creases {
     /// Strong edges, and weak ones that continue a crease from its loose end.
     pub(crate) fn find(mesh: &TriMesh, topology: &Topology, options: &FeatureOptions) -> Self {
         let angle = dihedral_angles(mesh, topology);
-        let is_crease = angle.iter().map(|&a| a >= options.strong_angle).collect();
+        let is_crease = angle.iter().map(|&a| options.is_strong(a)).collect();
         let mut creases = Self { angle, is_crease };
         let mut ends: Vec<VertexId> = mesh.positions().ids().collect();
         while let Some(v) = ends.pop() {
@@ -34,7 +34,7 @@ impl Creases {
     /// The weak edge of greatest angle that goes on from a crease with a loose end at `v`. Elsewhere weak edges don't count: on
     /// the rim of a coarse cylinder, all edges of its side would continue the rim.
     fn continuation(&self, mesh: &TriMesh, topology: &Topology, v: VertexId, weak_angle: f64) -> Option<EdgeId> {
-        let mut creases = edges_at(topology, v).filter(|&e| self.is_crease[e]);
+        let mut creases = spokes(topology, v).map(|h| topology.edge(h)).filter(|&e| self.is_crease[e]);
         let (Some(end), None) = (creases.next(), creases.next()) else { return None };
         if topology.is_border_vertex(v) {
             return None;
@@ -44,7 +44,9 @@ impl Creases {
             (mesh.position(if a == v { b } else { a }) - mesh.position(v)).normalize_or_zero()
         };
         let goes_on = |e: EdgeId| away(e).dot(-away(end)) > MAX_TURN_COSINE;
-        let weak = edges_at(topology, v).filter(|&e| !self.is_crease[e] && self.angle[e] >= weak_angle && goes_on(e));
+        let weak = spokes(topology, v)
+            .map(|h| topology.edge(h))
+            .filter(|&e| !self.is_crease[e] && self.angle[e] >= weak_angle && goes_on(e));
         weak.max_by(|&e, &f| self.angle[e].total_cmp(&self.angle[f]).then(f.cmp(&e)))
     }
 
@@ -66,10 +68,4 @@ fn dihedral_angles(mesh: &TriMesh, topology: &Topology) -> IdVec<EdgeId, f64> {
         (_, None) => 0.0,
     };
     topology.edge_ids().map(angle).collect()
-}
-
-/// The edges at a vertex, counter-clockwise.
-pub(crate) fn edges_at(topology: &Topology, v: VertexId) -> impl Iterator<Item = EdgeId> + '_ {
-    let last = topology.fan(v).last().map(HalfedgeId::prev).filter(|&h| topology.twin(h).is_none());
-    topology.fan(v).chain(last).map(|h| topology.edge(h))
 }

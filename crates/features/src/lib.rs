@@ -10,17 +10,19 @@
 //! // A cube has 12 arcs between 8 corners; the rims of a cylinder are closed arcs without any.
 //! for (mesh, expected) in [(fixtures::cube(4), (8, 12, 6)), (fixtures::cylinder(1.0, 2.0, 48), (0, 2, 3))] {
 //!     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//!     let network = detect(&mesh, &topology, &FeatureOptions { base_edge_length: 0.4, ..Default::default() })?;
+//!     let network = detect(&mesh, &topology, &[], 0.4, &FeatureOptions::default())?;
 //!     assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), expected);
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod chains;
 mod corner;
 mod crease;
 mod detect;
 mod jump;
+mod options;
 mod simplify;
-mod strands;
 
-pub use detect::{FeatureError, FeatureOptions, detect};
+pub use detect::detect;
+pub use options::{FeatureError, FeatureOptions};

@@ -3,12 +3,11 @@
 //! A scan has creases that are strips of sharp triangles, with spurs on both sides and crumbs beside them. A base vertex at each
 //! of their junctions would use up the base mesh before its first smooth patch.
 
-use crate::FeatureOptions;
+use crate::chains::{Chain, Chains};
 use crate::crease::Creases;
 use crate::jump::Jumps;
-use crate::strands::{Strand, Strands};
 use mesh_core::{EdgeId, FaceId, IdVec, Topology, TriMesh, VertexId};
-use region_map::{Arc, ArcId, ArcKind, CornerId, Network, SheetId};
+use region_map::{Arc, ArcId, ArcKind, CornerId, Network, NetworkError, SheetId};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 
@@ -44,19 +43,19 @@ pub(crate) fn simplify(
     topology: &Topology,
     creases: &Creases,
     kinds: &mut Kinds,
-    options: &FeatureOptions,
-) -> Vec<Vec<VertexId>> {
-    let base_edge_length = options.base_edge_length;
+    base_edge_length: f64,
+    persistence_factor: f64,
+) -> Result<Vec<Vec<VertexId>>, NetworkError> {
     if base_edge_length <= 0.0 {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let network = Network::trace(mesh, topology, kinds, |_| false, Vec::new());
+    let network = Network::trace(mesh, topology, kinds, |_| false, Vec::new())?;
     let persistence = persistence(mesh, topology, creases, &network, base_edge_length);
-    let mut strands = Strands::new(&network, &persistence);
-    dissolve_tiny_sheets(mesh, topology, &network, &mut strands, TINY_SHEET * base_edge_length.powi(2));
-    drop_weak_spurs(&mut strands, SPUR * options.persistence);
-    drop_weak_islands(&mut strands, network.corners.len(), ISLAND * options.persistence, Rims::new(mesh, base_edge_length));
-    take_dropped(mesh, topology, &network, &strands, kinds)
+    let mut chains = Chains::new(&network, &persistence);
+    dissolve_tiny_sheets(mesh, topology, &network, &mut chains, TINY_SHEET * base_edge_length.powi(2));
+    drop_weak_spurs(&mut chains, SPUR * persistence_factor);
+    drop_weak_islands(&mut chains, network.corners.len(), ISLAND * persistence_factor, Rims::new(mesh, base_edge_length));
+    take_dropped(mesh, topology, &network, &chains, kinds)
 }
 
 /// Length times strength of every arc, in base edge lengths. The strength of an edge is how much its angle stands out from those of the
@@ -90,8 +89,8 @@ fn mean(values: impl Iterator<Item = f64>) -> f64 {
     sum / f64::from(n.max(1))
 }
 
-/// Merges every sheet of less area than `limit` with its neighbour across the strand that stands out least, the smallest first.
-fn dissolve_tiny_sheets(mesh: &TriMesh, topology: &Topology, network: &Network, strands: &mut Strands, limit: f64) {
+/// Merges every sheet of less area than `limit` with its neighbour across the chain that stands out least, the smallest first.
+fn dissolve_tiny_sheets(mesh: &TriMesh, topology: &Topology, network: &Network, chains: &mut Chains, limit: f64) {
     let mut sheets = Sheets::new(mesh, topology, network);
     let key = |area: f64, sheet: SheetId| Reverse((area.to_bits(), sheet)); // areas are not negative: their bits are in order
     let mut queue: BinaryHeap<_> = sheets.area.enumerate().filter(|&(_, &a)| a < limit).map(|(s, &a)| key(a, s)).collect();
@@ -99,9 +98,9 @@ fn dissolve_tiny_sheets(mesh: &TriMesh, topology: &Topology, network: &Network, 
         if sheets.root(sheet) != sheet || sheets.area[sheet].to_bits() != bits {
             continue; // it has been merged since
         }
-        let Some(weakest) = sheets.weakest_side(sheet, strands) else { continue };
+        let Some(weakest) = sheets.weakest_side(sheet, chains) else { continue };
         let merged = sheets.merge_across(weakest);
-        strands.drop_strand(weakest);
+        chains.drop_chain(weakest);
         if sheets.area[merged] < limit {
             queue.push(key(sheets.area[merged], merged));
         }
@@ -147,12 +146,12 @@ impl Sheets {
     }
 
     /// The crease between this sheet and another one that stands out least.
-    fn weakest_side(&self, sheet: SheetId, strands: &Strands) -> Option<ArcId> {
+    fn weakest_side(&self, sheet: SheetId, chains: &Chains) -> Option<ArcId> {
         let is_side = |id: ArcId| {
             let [a, b] = self.beside[id].map(|s| self.root(s));
             a != b
         };
-        let sides = self.arcs[sheet].iter().filter_map(|&arc| strands.of_arc(arc));
+        let sides = self.arcs[sheet].iter().filter_map(|&arc| chains.of_arc(arc));
         let sides = sides.filter(|&(id, s)| s.kind == ArcKind::Sharp && is_side(id));
         sides.min_by(|(i, s), (j, t)| s.strength().total_cmp(&t.strength()).then(i.cmp(j))).map(|(id, _)| id)
     }
@@ -170,17 +169,17 @@ impl Sheets {
 }
 
 /// Drops creases with a loose end and little persistence, the weakest first. What a spur leaves behind may be a spur itself.
-fn drop_weak_spurs(strands: &mut Strands, limit: f64) {
-    let key = |id: ArcId, s: &Strand| (s.persistence.to_bits(), id); // not negative: the bits are in order
+fn drop_weak_spurs(chains: &mut Chains, limit: f64) {
+    let key = |id: ArcId, s: &Chain| (s.persistence.to_bits(), id); // not negative: the bits are in order
     let mut spurs: BTreeSet<_> =
-        strands.iter().filter(|(_, s)| is_weak_spur(strands, s, limit)).map(|(id, s)| key(id, s)).collect();
+        chains.iter().filter(|(_, s)| is_weak_spur(chains, s, limit)).map(|(id, s)| key(id, s)).collect();
     while let Some((bits, id)) = spurs.pop_first() {
-        let is_current = |s: &Strand| s.persistence.to_bits() == bits && is_weak_spur(strands, s, limit);
-        if !strands.of_arc(id).is_some_and(|(strand, s)| strand == id && is_current(s)) {
+        let is_current = |s: &Chain| s.persistence.to_bits() == bits && is_weak_spur(chains, s, limit);
+        if !chains.of_arc(id).is_some_and(|(chain, s)| chain == id && is_current(s)) {
             continue; // it has become part of a longer one
         }
-        for joined in strands.drop_strand(id) {
-            if let Some((id, s)) = strands.of_arc(joined).filter(|(_, s)| is_weak_spur(strands, s, limit)) {
+        for joined in chains.drop_chain(id) {
+            if let Some((id, s)) = chains.of_arc(joined).filter(|(_, s)| is_weak_spur(chains, s, limit)) {
                 spurs.insert(key(id, s));
             }
         }
@@ -188,13 +187,13 @@ fn drop_weak_spurs(strands: &mut Strands, limit: f64) {
 }
 
 /// True for a weak crease that ends loosely at one end, and not at the other one.
-fn is_weak_spur(strands: &Strands, strand: &Strand, limit: f64) -> bool {
-    let loose_ends = strand.ends.into_iter().flatten().filter(|&c| strands.degree(c) == 1).count();
-    strand.kind == ArcKind::Sharp && loose_ends == 1 && strand.persistence < limit
+fn is_weak_spur(chains: &Chains, chain: &Chain, limit: f64) -> bool {
+    let loose_ends = chain.ends.into_iter().flatten().filter(|&c| chains.degree(c) == 1).count();
+    chain.kind == ArcKind::Sharp && loose_ends == 1 && chain.persistence < limit
 }
 
 /// Drops connected parts of the network that have only creases and together little persistence.
-fn drop_weak_islands(strands: &mut Strands, n_corners: usize, limit: f64, rims: Rims) {
+fn drop_weak_islands(chains: &mut Chains, n_corners: usize, limit: f64, rims: Rims) {
     let mut parent: IdVec<CornerId, CornerId> = (0..n_corners as u32).map(CornerId).collect();
     let root = |parent: &IdVec<CornerId, CornerId>, mut c: CornerId| {
         while parent[c] != c {
@@ -202,20 +201,20 @@ fn drop_weak_islands(strands: &mut Strands, n_corners: usize, limit: f64, rims: 
         }
         c
     };
-    for [a, b] in strands.iter().filter_map(|(_, s)| s.ends) {
+    for [a, b] in chains.iter().filter_map(|(_, s)| s.ends) {
         let (a, b) = (root(&parent, a), root(&parent, b));
         parent[a.max(b)] = a.min(b);
     }
-    let worth = |s: &Strand| if s.kind == ArcKind::Sharp { s.persistence } else { f64::INFINITY };
+    let worth = |s: &Chain| if s.kind == ArcKind::Sharp { s.persistence } else { f64::INFINITY };
     let mut total = IdVec::<CornerId, f64>::filled(0.0, n_corners);
-    for (s, [end, _]) in strands.iter().filter_map(|(_, s)| s.ends.map(|e| (s, e))) {
+    for (s, [end, _]) in chains.iter().filter_map(|(_, s)| s.ends.map(|e| (s, e))) {
         total[root(&parent, end)] += worth(s);
     }
-    let is_weak = |s: &Strand| s.ends.map_or(worth(s), |[end, _]| total[root(&parent, end)]) < limit;
-    let weak: Vec<ArcId> = strands.iter().filter(|(_, s)| is_weak(s)).map(|(id, _)| id).collect();
-    let rims = rims.among(strands, &weak);
+    let is_weak = |s: &Chain| s.ends.map_or(worth(s), |[end, _]| total[root(&parent, end)]) < limit;
+    let weak: Vec<ArcId> = chains.iter().filter(|(_, s)| is_weak(s)).map(|(id, _)| id).collect();
+    let rims = rims.among(chains, &weak);
     weak.into_iter().filter(|id| !rims.contains(id)).for_each(|id| {
-        strands.drop_strand(id);
+        chains.drop_chain(id);
     });
 }
 
@@ -233,9 +232,9 @@ impl Rims {
         Self { strength: RIM_STRENGTH / base_edge_length, most: (RIMS * base_vertices / LEAST_VERTICES) as usize }
     }
 
-    fn among(&self, strands: &Strands, some: &[ArcId]) -> BTreeSet<ArcId> {
-        let is_rim = |s: &Strand| s.ends.is_none() && s.strength() >= self.strength;
-        let rims = some.iter().filter_map(|&id| strands.of_arc(id)).filter(|(_, s)| is_rim(s));
+    fn among(&self, chains: &Chains, some: &[ArcId]) -> BTreeSet<ArcId> {
+        let is_rim = |s: &Chain| s.ends.is_none() && s.strength() >= self.strength;
+        let rims = some.iter().filter_map(|&id| chains.of_arc(id)).filter(|(_, s)| is_rim(s));
         let mut rims: Vec<(f64, ArcId)> = rims.map(|(id, s)| (s.length, id)).collect();
         rims.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         rims.into_iter().take(self.most).map(|(_, id)| id).collect()
@@ -247,14 +246,15 @@ fn take_dropped(
     mesh: &TriMesh,
     topology: &Topology,
     network: &Network,
-    strands: &Strands,
+    chains: &Chains,
     kinds: &mut Kinds,
-) -> Vec<Vec<VertexId>> {
+) -> Result<Vec<Vec<VertexId>>, NetworkError> {
     let mut dropped = IdVec::filled(None, topology.n_edges());
-    for (_, arc) in network.arcs.enumerate().filter(|&(id, _)| strands.of_arc(id).is_none()) {
+    for (_, arc) in network.arcs.enumerate().filter(|&(id, _)| chains.of_arc(id).is_none()) {
         for e in arc.halfedges.iter().map(|&h| topology.edge(h)) {
             dropped[e] = kinds[e].take();
         }
     }
-    Network::trace(mesh, topology, &dropped, |_| false, Vec::new()).arcs.iter().map(|arc| arc.vertices.clone()).collect()
+    let network = Network::trace(mesh, topology, &dropped, |_| false, Vec::new())?;
+    Ok(network.arcs.iter().map(|arc| arc.vertices.clone()).collect())
 }

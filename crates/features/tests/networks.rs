@@ -8,12 +8,9 @@ fn topology(mesh: &TriMesh) -> Topology {
     Topology::new(mesh.faces(), mesh.n_vertices()).expect("a manifold")
 }
 
-fn network(mesh: &TriMesh, options: &FeatureOptions) -> Network {
-    detect(mesh, &topology(mesh), options).expect("valid options")
-}
-
-fn at(base_edge_length: f64) -> FeatureOptions {
-    FeatureOptions { base_edge_length, ..FeatureOptions::default() }
+/// The network at a base edge length, without marked edges, by the default options.
+fn network(mesh: &TriMesh, base_edge_length: f64) -> Network {
+    detect(mesh, &topology(mesh), &[], base_edge_length, &FeatureOptions::default()).expect("valid options")
 }
 
 /// A square sheet of `n` by `n` quads over the unit square with the heights `z`.
@@ -30,7 +27,7 @@ fn sheet(n: u32, z: impl Fn(f64, f64) -> f64) -> TriMesh {
 fn a_cube_has_its_edges_and_corners_at_any_resolution() {
     for n in [1, 2, 6] {
         for base_edge_length in [0.0, 0.05, 0.5, 1.0] {
-            let network = network(&fixtures::cube(n), &at(base_edge_length));
+            let network = network(&fixtures::cube(n), base_edge_length);
             assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (8, 12, 6));
             assert!(network.minor.is_empty());
         }
@@ -39,7 +36,7 @@ fn a_cube_has_its_edges_and_corners_at_any_resolution() {
 
 #[test]
 fn a_cylinder_has_two_closed_arcs() {
-    let network = network(&fixtures::cylinder(1.0, 2.0, 48), &at(0.4));
+    let network = network(&fixtures::cylinder(1.0, 2.0, 48), 0.4);
     assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (0, 2, 3));
     assert!(network.arcs.iter().all(|arc| arc.is_loop()));
 }
@@ -48,11 +45,11 @@ fn a_cylinder_has_two_closed_arcs() {
 fn the_tip_of_a_cone_is_a_corner_and_a_pole_is_not() {
     for sides in [12, 24, 80] {
         let cone = fixtures::cone(1.0, 1.5, sides);
-        let network = network(&cone, &at(0.3));
+        let network = network(&cone, 0.3);
         assert_eq!(network.corners.iter().map(|&v| cone.position(v).z).collect::<Vec<_>>(), [1.5]);
     }
     for smooth in [fixtures::uv_sphere(24), fixtures::icosphere(5), fixtures::torus(2.0, 0.6, 40, 20)] {
-        let network = network(&smooth, &at(0.3));
+        let network = network(&smooth, 0.3);
         assert!(network.corners.is_empty() && network.arcs.is_empty());
     }
 }
@@ -60,7 +57,7 @@ fn the_tip_of_a_cone_is_a_corner_and_a_pole_is_not() {
 #[test]
 fn the_border_of_a_sheet_turns_at_its_corners() {
     for n in [1, 3, 40] {
-        let network = network(&sheet(n, |_, _| 0.0), &at(0.2));
+        let network = network(&sheet(n, |_, _| 0.0), 0.2);
         assert_eq!((network.corners.len(), network.arcs.len()), (4, 4));
         assert!(network.arcs.iter().all(|arc| arc.kind == ArcKind::Border && (arc.length() - 1.0).abs() < 1e-12));
     }
@@ -73,7 +70,7 @@ fn a_round_border_has_no_corner_at_any_resolution() {
         shell.faces().ids().filter(|&f| shell.normal(f).z.abs() < 0.5).map(|f| shell.face(f).map(|v| v.0)).collect();
     let tube = TriMesh::new(shell.positions().as_slice().to_vec(), side).expect("a mesh");
     for base_edge_length in [0.0, 0.1, 0.5, 1.0, 4.0] {
-        let network = network(&tube, &at(base_edge_length));
+        let network = network(&tube, base_edge_length);
         assert_eq!((network.corners.len(), network.arcs.len()), (0, 2), "at {base_edge_length}");
     }
 }
@@ -82,7 +79,7 @@ fn a_round_border_has_no_corner_at_any_resolution() {
 fn a_crease_that_fades_out_is_kept_to_its_end() {
     // A roof along y = 1/2 whose slope falls to nothing at x = 1.
     let roof = sheet(40, |x, y| -(1.0 - x) * (y - 0.5).abs());
-    let network = network(&roof, &at(0.1));
+    let network = network(&roof, 0.1);
     let creases: Vec<_> = network.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).collect();
     assert_eq!(creases.len(), 1);
     // The weak angle of 25 degrees is reached where the slope is tan 12.5: at x = 0.78.
@@ -93,10 +90,10 @@ fn a_crease_that_fades_out_is_kept_to_its_end() {
 fn crumbs_are_minor() {
     // One sharp little pyramid on a plane of base edge length 1/4.
     let pimple = sheet(40, |x, y| if (x - 0.5).hypot(y - 0.5) < 0.01 { 0.05 } else { 0.0 });
-    let kept = network(&pimple, &at(0.25));
+    let kept = network(&pimple, 0.25);
     assert!(kept.arcs.iter().all(|arc| arc.kind == ArcKind::Border));
     assert!(!kept.minor.is_empty());
-    let all = network(&pimple, &at(0.0));
+    let all = network(&pimple, 0.0);
     assert!(all.arcs.len() > 4 && all.minor.is_empty());
 }
 
@@ -104,8 +101,8 @@ fn crumbs_are_minor() {
 fn a_zigzag_strip_becomes_one_path() {
     // A step of one row of quads, so steep that both of its rims and the diagonals between them are sharp.
     let step = sheet(60, |x, y| if y > 0.505 + 0.01 * (60.0 * x).sin() { 0.03 } else { 0.0 });
-    let raw = network(&step, &at(0.0));
-    let simple = network(&step, &at(0.45));
+    let raw = network(&step, 0.0);
+    let simple = network(&step, 0.45);
     let creases = |n: &Network| n.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).count();
     assert!(creases(&raw) > 20 && creases(&simple) <= 3, "{} and {}", creases(&raw), creases(&simple));
 }
@@ -119,8 +116,8 @@ fn noise(x: f64, y: f64) -> f64 {
 fn a_crease_is_told_from_the_noise_of_a_scan() {
     // A roof of 90 degrees along y = 1/2, its vertices shaken by a third of an edge.
     let roof = sheet(60, |x, y| 0.006 * noise(x, y) - (y - 0.5).abs());
-    let raw = network(&roof, &at(0.0));
-    let kept = network(&roof, &at(0.2));
+    let raw = network(&roof, 0.0);
+    let kept = network(&roof, 0.2);
     let sharp = |n: &Network| n.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).cloned().collect::<Vec<_>>();
     assert!(sharp(&raw).len() > 20, "{} creases in the noise", sharp(&raw).len());
     let kept = sharp(&kept);
@@ -142,7 +139,7 @@ fn rims_of_small_pins_are_kept_as_long_as_there_are_few() {
             positions.extend(pin.positions().iter().map(|&p| p + glam::DVec3::new(0.1 * f64::from(i), 0.0, 1.0)));
             faces.extend(pin.faces().iter().map(|f| f.map(|v| v.0 + first)));
         }
-        let network = network(&TriMesh::new(positions, faces).expect("a mesh"), &at(0.2));
+        let network = network(&TriMesh::new(positions, faces).expect("a mesh"), 0.2);
         assert_eq!(network.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).count(), kept, "of {pins} pins");
     }
 }
@@ -150,24 +147,54 @@ fn rims_of_small_pins_are_kept_as_long_as_there_are_few() {
 #[test]
 fn noise_without_a_crease_has_none() {
     let rough = sheet(60, |x, y| 0.005 * noise(x, y));
-    assert!(network(&rough, &at(0.0)).arcs.len() > 20);
-    let kept = network(&rough, &at(0.2));
+    assert!(network(&rough, 0.0).arcs.len() > 20);
+    let kept = network(&rough, 0.2);
     let length: f64 = kept.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(|arc| arc.length()).sum();
-    assert_eq!(length, 0.0, "of {}", network(&rough, &at(0.0)).crease_lengths(&rough)[0]);
+    assert_eq!(length, 0.0, "of {}", network(&rough, 0.0).crease_lengths(&rough).kept);
 }
 
 #[test]
 fn marked_edges_stay_and_must_exist() {
     let flat = sheet(8, |_, _| 0.0);
-    let pair = |a, b| [VertexId(a), VertexId(b)];
-    let marked = |edges: Vec<[VertexId; 2]>| FeatureOptions { marked: edges, ..at(10.0) };
-    let network = network(&flat, &marked(vec![pair(30, 31), pair(32, 31)]));
+    let marked = |edges: &[[u32; 2]]| {
+        let edges: Vec<_> = edges.iter().map(|e| e.map(VertexId)).collect();
+        detect(&flat, &topology(&flat), &edges, 10.0, &FeatureOptions::default())
+    };
+    let network = marked(&[[30, 31], [32, 31]]).expect("edges");
     let arc = network.arcs.iter().find(|arc| arc.kind == ArcKind::Marked).expect("the marked chain");
     assert_eq!(arc.vertices.len(), 3);
-    let refused = |options: &FeatureOptions| detect(&flat, &topology(&flat), options).expect_err("refused");
-    assert_eq!(refused(&marked(vec![pair(0, 80)])), FeatureError::NotAnEdge(VertexId(0), VertexId(80)));
-    assert_eq!(refused(&marked(vec![pair(0, 999)])), FeatureError::NotAnEdge(VertexId(0), VertexId(999)));
-    assert_eq!(refused(&at(-1.0)), FeatureError::BaseEdgeLength(-1.0));
-    let angles = FeatureOptions { weak_angle: 50.0, ..FeatureOptions::default() };
-    assert_eq!(refused(&angles), FeatureError::Angles { strong: 40.0, weak: 50.0 });
+    for [a, b] in [[0, 80], [0, 999], [999, 0], [3, 3]] {
+        assert_eq!(marked(&[[a, b]]).expect_err("no edge"), FeatureError::NotAnEdge(VertexId(a), VertexId(b)));
+    }
+}
+
+#[test]
+fn options_out_of_range_are_named() {
+    let flat = sheet(2, |_, _| 0.0);
+    let refused = |base_edge_length: f64, options: &FeatureOptions| {
+        detect(&flat, &topology(&flat), &[], base_edge_length, options).expect_err("refused").to_string()
+    };
+    let defaults = FeatureOptions::default();
+    assert_eq!(refused(-1.0, &defaults), "base edge length -1 must be finite and not negative");
+    for (strong_angle, weak_angle) in [(40.0, 50.0), (180.1, 25.0), (40.0, 0.0), (f64::NAN, 25.0), (40.0, f64::NAN)] {
+        let message = refused(0.0, &FeatureOptions { strong_angle, weak_angle, ..defaults.clone() });
+        assert!(message.contains("0 < weak <= strong <= 180"), "{message}");
+    }
+    let message = refused(0.0, &FeatureOptions { persistence: -0.5, ..defaults.clone() });
+    assert_eq!(message, "the factor -0.5 on the persistence of creases must not be negative");
+}
+
+#[test]
+fn at_180_degrees_there_are_no_creases() {
+    // Two triangles on each other, joined along one edge: a fold of exactly 180 degrees.
+    let positions = [[0.0, 0.0], [1.0, 0.0], [0.5, 2.0], [0.5, 1.0]].map(|[x, y]| glam::DVec3::new(x, y, 0.0)).to_vec();
+    let flap = TriMesh::new(positions, vec![[0, 1, 2], [1, 0, 3]]).expect("a mesh");
+    for mesh in [flap, fixtures::cube(2), sheet(4, |x, y| 3.0 * x * y)] {
+        let creases = |strong_angle: f64| {
+            let options = FeatureOptions { strong_angle, ..FeatureOptions::default() };
+            let network = detect(&mesh, &topology(&mesh), &[], 0.0, &options).expect("in range");
+            network.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).count()
+        };
+        assert_eq!(creases(180.0), 0);
+    }
 }

@@ -3,15 +3,13 @@
 //! Boolean operations of CAD programs leave corners side by side, a ten thousandth of the part apart. Both would be base vertices, and the
 //! arc between them all triangles of a base edge: needles that nothing can mend.
 
-use crate::RefineError;
+use crate::options::{RefineError, RefineOptions};
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec, Topology, TriMesh, VertexId};
 use rustc_hash::FxHashSet;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 
-/// An edge with a greater dihedral angle (degrees) is a crease: nothing is pulled across it.
-const CREASE: f64 = 40.0;
 /// A triangle that stays may turn by this much (degrees).
 const MOST_TURN: f64 = 20.0;
 
@@ -33,13 +31,14 @@ pub(crate) fn contract(
     mesh: &TriMesh,
     topology: &Topology,
     marked: &[[VertexId; 2]],
-    shortest: f64,
+    options: &RefineOptions,
 ) -> Result<Option<Contracted>, RefineError> {
+    let shortest = options.shortest_edge;
     let length = |[a, b]: [VertexId; 2]| mesh.distance(a, b);
     if !topology.edge_ids().any(|e| length(topology.ends(e)) < shortest) {
         return Ok(None);
     }
-    let mut coarse = Coarse::new(mesh, topology, marked);
+    let mut coarse = Coarse::new(mesh, topology, marked, options.crease_angle);
     let mut queue: BinaryHeap<_> = topology
         .edge_ids()
         .map(|e| topology.ends(e))
@@ -72,7 +71,7 @@ struct Coarse<'a> {
 }
 
 impl<'a> Coarse<'a> {
-    fn new(mesh: &'a TriMesh, topology: &Topology, marked: &[[VertexId; 2]]) -> Self {
+    fn new(mesh: &'a TriMesh, topology: &Topology, marked: &[[VertexId; 2]], crease_angle: f64) -> Self {
         let mut fans = IdVec::filled(Vec::new(), mesh.n_vertices());
         let mut is_border = IdVec::filled(false, mesh.n_vertices());
         let mut kept: FxHashSet<[VertexId; 2]> = marked.iter().map(|&[a, b]| rising(a, b)).collect();
@@ -81,7 +80,7 @@ impl<'a> Coarse<'a> {
         }
         for e in topology.edge_ids() {
             let ([a, b], (f, g)) = (topology.ends(e), topology.edge_faces(e));
-            let is_crease = |g| mesh.normal(f).angle_between(mesh.normal(g)) > CREASE.to_radians();
+            let is_crease = |g| mesh.normal(f).angle_between(mesh.normal(g)) > crease_angle.to_radians();
             if g.is_none_or(is_crease) {
                 kept.insert(rising(a, b));
             }

@@ -23,6 +23,8 @@
 
 mod contract;
 mod draft;
+mod options;
 mod refine;
 
-pub use refine::{RefineError, RefineOptions, Refined, refine};
+pub use options::{RefineError, RefineOptions};
+pub use refine::{Refined, refine};

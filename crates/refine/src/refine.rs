@@ -2,31 +2,11 @@
 
 use crate::contract::contract;
 use crate::draft::Draft;
+use crate::options::{RefineError, RefineOptions};
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, IdVec, MeshError, Topology, TopologyError, TriMesh, VertexId};
+use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
 use rustc_hash::FxHashSet;
 use std::collections::BinaryHeap;
-
-/// How far to refine.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RefineOptions {
-    /// Edges longer than this are halved, in the units of the mesh, positive. Infinite: none.
-    pub longest_edge: f64,
-    /// Creases, borders and marked edges shorter than this are contracted, in the units of the mesh. Default 0: none.
-    pub shortest_edge: f64,
-    /// Most faces that splitting may lead to; the longest edges come first. Default: four for each input face and 200,000 more.
-    pub most_faces: Option<usize>,
-    /// How far a flip may move the surface, as a share of the diagonal of the box. Default 1e-7: what single precision does to
-    /// planes, and a hundredth of the mean error of a good result.
-    pub flatness: f64,
-}
-
-impl RefineOptions {
-    /// The defaults for a longest edge.
-    pub fn new(longest_edge: f64) -> Self {
-        Self { longest_edge, shortest_edge: 0.0, most_faces: None, flatness: 1e-7 }
-    }
-}
 
 /// The same surface in other triangles.
 #[derive(Clone, Debug)]
@@ -47,17 +27,6 @@ pub struct Refined {
     pub splits: usize,
 }
 
-/// Faults of ours: refining keeps a manifold a manifold.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum RefineError {
-    /// The refined faces are no mesh.
-    #[error("refining broke the mesh, please report this: {0}")]
-    Mesh(#[from] MeshError),
-    /// The refined faces are no manifold.
-    #[error("refining broke the connectivity, please report this: {0}")]
-    Topology(#[from] TopologyError),
-}
-
 /// Refines a mesh. `marked` edges are never flipped.
 pub fn refine(
     mesh: &TriMesh,
@@ -65,7 +34,7 @@ pub fn refine(
     marked: &[[VertexId; 2]],
     options: &RefineOptions,
 ) -> Result<Refined, RefineError> {
-    let contracted = contract(mesh, topology, marked, options.shortest_edge)?;
+    let contracted = contract(mesh, topology, marked, options)?;
     let (draft, marked, contractions) = match &contracted {
         Some(c) => (Draft::new(&c.mesh, &c.topology, c.source.clone()), &c.marked[..], c.contractions),
         None => (Draft::new(mesh, topology, mesh.faces().ids().collect()), marked, 0),

@@ -181,3 +181,15 @@ fn what_would_not_stay_a_manifold_is_left() {
     let r = refine(&mesh, &topology, &[], &options).unwrap();
     assert_eq!((r.contractions, r.mesh.n_faces()), (0, 4));
 }
+
+#[test]
+fn the_crease_angle_says_which_short_edges_are_creases() {
+    // Faces meet at right angles at the short edge: above that angle it is part of no arc, and contracting it would shorten none.
+    let mesh = box_with_corners_side_by_side(1e-4);
+    let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+    let contractions = |crease_angle: f64| {
+        let options = RefineOptions { shortest_edge: 1e-3, crease_angle, ..RefineOptions::new(f64::INFINITY) };
+        refine(&mesh, &topology, &[], &options).unwrap().contractions
+    };
+    assert_eq!([40.0, 89.0, 91.0, 180.0].map(contractions), [1, 1, 0, 0]);
+}

@@ -21,8 +21,11 @@ impl Chain {
     }
 }
 
-/// All halfedges that touch a vertex, one for each of its edges, counter-clockwise.
-pub(crate) fn spokes(topology: &Topology, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
+/// One halfedge for each edge at a vertex, counter-clockwise; none at a vertex without faces.
+///
+/// They start at the vertex, but for the last one at a border vertex: that edge has no halfedge out of the vertex, so the one into it
+/// stands for it.
+pub fn spokes(topology: &Topology, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
     let last = topology.fan(v).last().map(HalfedgeId::prev).filter(|&h| topology.twin(h).is_none());
     topology.fan(v).chain(last)
 }

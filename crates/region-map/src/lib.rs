@@ -48,6 +48,7 @@ pub use base_edit::BaseEdit;
 pub use base_map::{BaseMap, Chart, ChartFace, ChartId, MapError, MapFaceId, flat_barycentric};
 pub use base_mesh::BaseMesh;
 pub use cells::{CellArc, CellArcId, CellCornerId, CellError, CellPatch, Cells};
+pub use chain::spokes;
 pub use domain::{Domain, DomainError};
 pub use mesh_core::SurfacePoint;
 pub use network::{Arc, ArcId, ArcKind, CornerId, CreaseLengths, LeastBase, Network, NetworkError, SheetId};

@@ -5,7 +5,7 @@ use crate::{Budget, CvtOptions, budget, candidates, lloyd};
 use glam::DVec3;
 use mesh_core::{Id, IdVec, SurfacePoint, TriMesh};
 use rayon::prelude::*;
-use region_map::{CellArcId, CellPatch, Cells, PatchId, Sites, Sizing};
+use region_map::{CellArcId, CellPatch, Cells, PatchId, Sites, Sizing, Surface};
 
 /// Sites, and the budget that they were made by.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,8 @@ const CANDIDATES_PER_SITE: usize = 100;
 /// as its inverse square says.
 ///
 /// Patches are independent: the same seed gives the same sites on any number of threads.
-pub fn sample(mesh: &TriMesh, cells: &Cells, sizing: &Sizing, options: &CvtOptions) -> Result<Sampled, CvtError> {
+pub fn sample(surface: &Surface, cells: &Cells, sizing: &Sizing, options: &CvtOptions) -> Result<Sampled, CvtError> {
+    let mesh = surface.mesh();
     if mesh.total_area() <= 0.0 {
         return Err(CvtError::NoArea);
     }

@@ -1,7 +1,7 @@
 //! Patches of a fixture: `cargo run -p segment-vsa --example patches -- [MAX_PATCHES]`
 
 use mesh_core::Topology;
-use region_map::Cells;
+use region_map::{Cells, Surface};
 use segment_vsa::{VsaOptions, segment};
 use std::error::Error;
 
@@ -9,11 +9,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let max_patches = std::env::args().nth(1).map_or(Ok(24), |a| a.parse())?;
     let mesh = fixtures::brick(16);
     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    let network = features::detect(&mesh, &topology, &Default::default())?;
+    let network = features::detect(&mesh, &topology, &[], 0.0, &Default::default())?;
+    let surface = Surface::new(mesh, topology, network)?;
     let options = VsaOptions { max_patches, ..VsaOptions::default() };
-    let (segmentation, report) = segment(&mesh, &topology, &network, &options)?;
-    let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
-    println!("genus {}, {} sheets, {max_patches} patches wanted", topology.genus(), network.n_sheets);
+    let (segmentation, report) = segment(&surface, &options)?;
+    let cells = Cells::trace(&surface, &segmentation)?;
+    println!("genus {}, {} sheets, {max_patches} patches wanted", surface.topology().genus(), surface.network().n_sheets);
     println!("{} patches (disks), {} arcs, {} corners", cells.patches.len(), cells.arcs.len(), cells.corners.len());
     println!("{report:?}");
     Ok(())

@@ -1,6 +1,6 @@
 //! Principal axes of a surface.
 
-use crate::surface::Surface;
+use crate::measured::Measured;
 use glam::{DMat3, DVec3};
 
 /// Axes whose second moments differ by less than this factor have no direction of their own.
@@ -9,7 +9,7 @@ const DISTINCT: f64 = 1.05;
 const SWEEPS: usize = 12;
 
 /// The principal axes of a surface by area, `None` where two moments are nearly equal.
-pub(crate) fn principal_axes(surface: &Surface) -> Option<[DVec3; 3]> {
+pub(crate) fn principal_axes(surface: &Measured) -> Option<[DVec3; 3]> {
     let weighted = || surface.centroids.iter().zip(&surface.areas);
     let centre = weighted().map(|(&c, &a)| a * c).sum::<DVec3>() / surface.total_area;
     let mut covariance = DMat3::ZERO;

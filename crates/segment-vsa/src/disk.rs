@@ -4,7 +4,7 @@
 //! A single face is such a disk. Everything the stage does to a patch goes through [`can_add`], [`can_remove`] or the union test
 //! of `merge.rs`, so every patch is one at all times, whatever the genus of the surface.
 
-use crate::surface::Surface;
+use crate::measured::Measured;
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
 use region_map::PatchId;
 
@@ -12,8 +12,8 @@ use region_map::PatchId;
 pub(crate) type PatchOf = IdVec<FaceId, Option<PatchId>>;
 
 /// True when `patch`, which face `f` is not in, stays a disk with `f`.
-pub(crate) fn can_add(surface: &Surface, patch_of: &PatchOf, f: FaceId, patch: PatchId) -> bool {
-    let Surface { topology, network, .. } = surface;
+pub(crate) fn can_add(surface: &Measured, patch_of: &PatchOf, f: FaceId, patch: PatchId) -> bool {
+    let Measured { topology, network, .. } = surface;
     let halfedges = topology.halfedges(f);
     let inside = |h: HalfedgeId| topology.twin(h).is_some_and(|twin| patch_of[twin.face()] == Some(patch));
     let shared = halfedges.map(inside);
@@ -30,7 +30,7 @@ pub(crate) fn can_add(surface: &Surface, patch_of: &PatchOf, f: FaceId, patch: P
 }
 
 /// True when the patch of face `f` stays a disk without `f`.
-pub(crate) fn can_remove(surface: &Surface, patch_of: &PatchOf, f: FaceId) -> bool {
+pub(crate) fn can_remove(surface: &Measured, patch_of: &PatchOf, f: FaceId) -> bool {
     let topology = surface.topology;
     let halfedges = topology.halfedges(f);
     let own = patch_of[f];
@@ -48,12 +48,12 @@ fn find(halfedges: [HalfedgeId; 3], shared: [bool; 3], wanted: bool) -> Option<H
 }
 
 /// True when a face at the vertex is in the patch.
-fn touches(surface: &Surface, patch_of: &PatchOf, v: VertexId, patch: PatchId) -> bool {
+fn touches(surface: &Measured, patch_of: &PatchOf, v: VertexId, patch: PatchId) -> bool {
     surface.topology.fan(v).any(|h| patch_of[h.face()] == Some(patch))
 }
 
 /// True when all faces at the vertex are in one patch and close round it.
-fn is_inner(surface: &Surface, patch_of: &PatchOf, v: VertexId) -> bool {
+fn is_inner(surface: &Measured, patch_of: &PatchOf, v: VertexId) -> bool {
     let mut patches = surface.topology.fan(v).map(|h| patch_of[h.face()]);
     let first = patches.next();
     !surface.topology.is_border_vertex(v) && patches.all(|p| Some(p) == first)

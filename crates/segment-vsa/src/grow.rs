@@ -1,8 +1,8 @@
 //! Growth of all patches at once from their seeds, cheapest face first.
 
 use crate::disk::{PatchOf, can_add};
+use crate::measured::Measured;
 use crate::proxy::{Metric, Proxy};
-use crate::surface::Surface;
 use mesh_core::{FaceId, IdVec};
 use region_map::PatchId;
 use std::cmp::Ordering;
@@ -34,7 +34,7 @@ impl PartialOrd for Candidate {
 
 /// Grows patches from the seeds of `proxies` over all faces. Faces that no patch can take become patches of their own, appended to
 /// `proxies`, and grow too. Seeds must be distinct.
-pub(crate) fn grow(surface: &Surface, metric: &Metric, proxies: &mut IdVec<PatchId, Proxy>) -> PatchOf {
+pub(crate) fn grow(surface: &Measured, metric: &Metric, proxies: &mut IdVec<PatchId, Proxy>) -> PatchOf {
     let mut growth =
         Growth { surface, metric, patch_of: IdVec::filled(None, surface.topology.n_faces()), queue: BinaryHeap::new() };
     for (patch, proxy) in proxies.enumerate() {
@@ -53,7 +53,7 @@ pub(crate) fn grow(surface: &Surface, metric: &Metric, proxies: &mut IdVec<Patch
 }
 
 struct Growth<'a> {
-    surface: &'a Surface<'a>,
+    surface: &'a Measured<'a>,
     metric: &'a Metric,
     patch_of: PatchOf,
     queue: BinaryHeap<Candidate>,

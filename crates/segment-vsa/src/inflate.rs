@@ -4,15 +4,15 @@
 //! doesn't care about. Its corners become base vertices, so they should not be nearer than a base edge.
 
 use crate::disk::{PatchOf, can_add, can_remove, n_patches};
+use crate::measured::Measured;
 use crate::merge::SLIVER_AREA;
 use crate::proxy::Moments;
-use crate::surface::Surface;
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec};
 use region_map::PatchId;
 
 /// Lets every patch below the least size of one that is no sliver take faces, the nearest first, from patches that stay above it.
-pub(crate) fn inflate(surface: &Surface, patch_of: &mut PatchOf, base_edge_length: f64) {
+pub(crate) fn inflate(surface: &Measured, patch_of: &mut PatchOf, base_edge_length: f64) {
     let target = SLIVER_AREA * base_edge_length.powi(2);
     let moments = Moments::of_patches(surface, patch_of, n_patches(patch_of));
     let mut areas: IdVec<PatchId, f64> = moments.iter().map(|m| m.area).collect();
@@ -29,7 +29,7 @@ pub(crate) fn inflate(surface: &Surface, patch_of: &mut PatchOf, base_edge_lengt
 }
 
 fn inflate_one(
-    surface: &Surface,
+    surface: &Measured,
     patch_of: &mut PatchOf,
     areas: &mut IdVec<PatchId, f64>,
     patch: PatchId,

@@ -4,17 +4,15 @@
 //! in `disk.rs`; no feature runs inside a patch.
 //!
 //! ```
-//! use mesh_core::Topology;
-//! use region_map::Cells;
+//! use region_map::{Cells, Surface};
 //! use segment_vsa::{VsaOptions, segment};
 //!
 //! // A torus: no crease, and yet every patch is a disk. `Cells::trace` would refuse any other.
-//! let mesh = fixtures::torus(1.0, 0.4, 40, 20);
-//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//! let network = features::detect(&mesh, &topology, &Default::default())?;
-//! let (segmentation, _) = segment(&mesh, &topology, &network, &VsaOptions::default())?;
-//! let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
-//! assert_eq!(cells.corners.len() as i64 - cells.arcs.len() as i64 + cells.patches.len() as i64, topology.euler());
+//! let surface = Surface::smooth(fixtures::torus(1.0, 0.4, 40, 20))?;
+//! let (segmentation, _) = segment(&surface, &VsaOptions::default())?;
+//! let cells = Cells::trace(&surface, &segmentation)?;
+//! let euler = cells.corners.len() as i64 - cells.arcs.len() as i64 + cells.patches.len() as i64;
+//! assert_eq!(euler, surface.topology().euler());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -22,13 +20,13 @@ mod axes;
 mod disk;
 mod grow;
 mod inflate;
+mod measured;
 mod merge;
 mod proxy;
 mod seeds;
 mod segment;
 mod split;
 mod straighten;
-mod surface;
 
 pub use segment::{VsaError, VsaOptions, VsaReport, segment};
-pub use split::split;
+pub use split::{SplitError, split};

@@ -1,8 +1,8 @@
 //! Merging of neighbouring patches whose union is a disk.
 
 use crate::disk::{PatchOf, n_patches};
+use crate::measured::Measured;
 use crate::proxy::Moments;
-use crate::surface::Surface;
 use mesh_core::{Id, IdVec, VertexId};
 use region_map::PatchId;
 use rustc_hash::FxHashMap;
@@ -31,7 +31,7 @@ pub(crate) struct MergeRule {
 }
 
 /// Merges patches, the best pairs first, until the rule allows no more. Returns how many were merged; ids stay gapless.
-pub(crate) fn merge(surface: &Surface, patch_of: &mut PatchOf, rule: &MergeRule) -> usize {
+pub(crate) fn merge(surface: &Measured, patch_of: &mut PatchOf, rule: &MergeRule) -> usize {
     let before = n_patches(patch_of);
     while merge_best_pairs(surface, patch_of, rule) {}
     before - n_patches(patch_of)
@@ -39,7 +39,7 @@ pub(crate) fn merge(surface: &Surface, patch_of: &mut PatchOf, rule: &MergeRule)
 
 /// Merges all pairs that are each other's best; false when there are none. They have no patch in common, so one union can't
 /// spoil another.
-fn merge_best_pairs(surface: &Surface, patch_of: &mut PatchOf, rule: &MergeRule) -> bool {
+fn merge_best_pairs(surface: &Measured, patch_of: &mut PatchOf, rule: &MergeRule) -> bool {
     let n = n_patches(patch_of);
     let shapes = Shapes::of(surface, patch_of, n);
     let mut pairs: Vec<(f64, Pair)> =
@@ -96,13 +96,13 @@ impl Pair {
 }
 
 /// All pairs of patches that share an edge or a vertex, in order.
-fn pairs(surface: &Surface, patch_of: &PatchOf) -> Vec<Pair> {
+fn pairs(surface: &Measured, patch_of: &PatchOf) -> Vec<Pair> {
     let mut found: FxHashMap<[PatchId; 2], Pair> = FxHashMap::default();
     fn entry(found: &mut FxHashMap<[PatchId; 2], Pair>, a: PatchId, b: PatchId) -> &mut Pair {
         let patches = [a.min(b), a.max(b)];
         found.entry(patches).or_insert(Pair { patches, edges: 0, vertices: 0, length: 0.0, blocked: false })
     }
-    let Surface { mesh, topology, network, .. } = surface;
+    let Measured { mesh, topology, network, .. } = surface;
     let mut on_border = IdVec::<VertexId, bool>::filled(false, topology.n_vertices());
     for e in topology.edge_ids() {
         let (f, Some(g)) = topology.edge_faces(e) else { continue };
@@ -143,7 +143,7 @@ struct Shapes {
 }
 
 impl Shapes {
-    fn of(surface: &Surface, patch_of: &PatchOf, n: usize) -> Self {
+    fn of(surface: &Measured, patch_of: &PatchOf, n: usize) -> Self {
         let mut perimeters = IdVec::filled(0.0, n);
         for e in surface.topology.edge_ids() {
             let (f, g) = surface.topology.edge_faces(e);

@@ -1,7 +1,7 @@
 //! The metric (paper, eq. 1, with the norm squared) and the proxies (eq. 2).
 
 use crate::disk::PatchOf;
-use crate::surface::Surface;
+use crate::measured::Measured;
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec};
 use region_map::PatchId;
@@ -23,7 +23,7 @@ pub(crate) struct Proxy {
 
 impl Proxy {
     /// The proxy of a patch that is one face.
-    pub(crate) fn at(surface: &Surface, seed: FaceId) -> Self {
+    pub(crate) fn at(surface: &Measured, seed: FaceId) -> Self {
         Self { seed, normal: surface.normals[seed], centre: surface.centroids[seed] }
     }
 }
@@ -35,12 +35,12 @@ pub(crate) struct Metric {
 }
 
 impl Metric {
-    pub(crate) fn new(surface: &Surface, n_patches: usize) -> Self {
+    pub(crate) fn new(surface: &Measured, n_patches: usize) -> Self {
         let mean_area = surface.total_area / n_patches.max(1) as f64;
         Self { per_squared_distance: COMPACTNESS / mean_area.max(f64::MIN_POSITIVE) }
     }
 
-    pub(crate) fn cost(&self, surface: &Surface, f: FaceId, proxy: &Proxy) -> f64 {
+    pub(crate) fn cost(&self, surface: &Measured, f: FaceId, proxy: &Proxy) -> f64 {
         surface.normals[f].distance_squared(proxy.normal)
             + self.per_squared_distance * surface.centroids[f].distance_squared(proxy.centre)
     }
@@ -57,7 +57,7 @@ pub(crate) struct Moments {
 
 impl Moments {
     /// The sums of all patches.
-    pub(crate) fn of_patches(surface: &Surface, patch_of: &PatchOf, n: usize) -> IdVec<PatchId, Self> {
+    pub(crate) fn of_patches(surface: &Measured, patch_of: &PatchOf, n: usize) -> IdVec<PatchId, Self> {
         let mut moments = IdVec::filled(Self::default(), n);
         for (f, p) in patch_of.enumerate() {
             if let Some(p) = *p {
@@ -67,7 +67,7 @@ impl Moments {
         moments
     }
 
-    fn of_face(surface: &Surface, f: FaceId) -> Self {
+    fn of_face(surface: &Measured, f: FaceId) -> Self {
         let area = surface.areas[f];
         Self { area, normal: area * surface.normals[f], centroid: area * surface.centroids[f] }
     }
@@ -94,7 +94,7 @@ impl Moments {
 }
 
 /// Proxies of grown patches by eq. 2, each with the face of least cost as its new seed.
-pub(crate) fn refit(surface: &Surface, metric: &Metric, patch_of: &PatchOf, n: usize) -> IdVec<PatchId, Proxy> {
+pub(crate) fn refit(surface: &Measured, metric: &Metric, patch_of: &PatchOf, n: usize) -> IdVec<PatchId, Proxy> {
     let moments = Moments::of_patches(surface, patch_of, n);
     let mut best: IdVec<PatchId, Option<(f64, Proxy)>> = IdVec::filled(None, n);
     for (f, p) in patch_of.enumerate() {
@@ -113,7 +113,7 @@ pub(crate) fn refit(surface: &Surface, metric: &Metric, patch_of: &PatchOf, n: u
 
 /// The face of every patch whose cost is greatest.
 pub(crate) fn worst_faces(
-    surface: &Surface,
+    surface: &Measured,
     metric: &Metric,
     patch_of: &PatchOf,
     proxies: &IdVec<PatchId, Proxy>,

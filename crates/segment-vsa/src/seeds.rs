@@ -1,8 +1,8 @@
 //! First seeds: the parts of the surface that face the six sides of a box (Jong et al., the paper's \[12\]).
 
 use crate::axes::principal_axes;
+use crate::measured::Measured;
 use crate::proxy::Proxy;
-use crate::surface::Surface;
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec};
 use region_map::PatchId;
@@ -13,7 +13,7 @@ const LEAST_PART: f64 = 0.2;
 /// One proxy for each connected part of a sheet whose faces look to the same side of the box, at the face nearest to that side's
 /// normal and the middle of the part. The box is that of the principal axes, or results would turn with the model; where they are
 /// not distinct, six farthest points of the surface take its place.
-pub(crate) fn first_proxies(surface: &Surface, n_patches: usize) -> IdVec<PatchId, Proxy> {
+pub(crate) fn first_proxies(surface: &Measured, n_patches: usize) -> IdVec<PatchId, Proxy> {
     let least_area = LEAST_PART * surface.total_area / n_patches.max(1) as f64;
     match principal_axes(surface) {
         Some(axes) => box_parts(surface, axes, least_area),
@@ -21,7 +21,7 @@ pub(crate) fn first_proxies(surface: &Surface, n_patches: usize) -> IdVec<PatchI
     }
 }
 
-fn box_parts(surface: &Surface, axes: [DVec3; 3], least_area: f64) -> IdVec<PatchId, Proxy> {
+fn box_parts(surface: &Measured, axes: [DVec3; 3], least_area: f64) -> IdVec<PatchId, Proxy> {
     let side = |n: DVec3| {
         let along = axes.map(|a| n.dot(a));
         (0..6).max_by(|&i, &j| sign(i, along).total_cmp(&sign(j, along))).unwrap_or(0)
@@ -57,7 +57,7 @@ fn sign(i: usize, along: [f64; 3]) -> f64 {
 }
 
 /// `n` faces, each the farthest from those before, the first one the farthest from the middle.
-fn farthest_points(surface: &Surface, n: usize) -> IdVec<PatchId, Proxy> {
+fn farthest_points(surface: &Measured, n: usize) -> IdVec<PatchId, Proxy> {
     let centre = surface.centroids.iter().zip(&surface.areas).map(|(&c, &a)| a * c).sum::<DVec3>() / surface.total_area;
     let mut distance: IdVec<FaceId, f64> = surface.centroids.iter().map(|c| c.distance_squared(centre)).collect();
     let mut proxies = IdVec::new();

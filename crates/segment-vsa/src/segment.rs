@@ -3,13 +3,13 @@
 use crate::disk::{PatchOf, n_patches};
 use crate::grow::grow;
 use crate::inflate::inflate;
+use crate::measured::Measured;
 use crate::merge::{MergeRule, merge};
 use crate::proxy::{Metric, Moments, Proxy, refit, worst_faces};
 use crate::seeds::first_proxies;
 use crate::straighten::straighten;
-use crate::surface::Surface;
-use mesh_core::{IdVec, Topology, TriMesh};
-use region_map::{Network, PatchId, Segmentation};
+use mesh_core::IdVec;
+use region_map::{PatchId, Segmentation, Surface};
 
 /// A union within the bound on the spread must not be longer than about six times its width, with a jagged border.
 const MAX_ROUNDNESS: f64 = 4.0;
@@ -43,7 +43,7 @@ impl Default for VsaOptions {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum VsaError {
     /// There is nothing to segment.
-    #[error("the mesh has no face with an area")]
+    #[error("the mesh has no face with an area, or so large ones that their areas are no numbers")]
     NoSurface,
     /// The bound on the spread is out of range.
     #[error("patch angle {0} must be above 0 and below 90 (degrees)")]
@@ -77,13 +77,8 @@ pub struct VsaReport {
 ///
 /// Every patch is a disk whose border is one simple cycle of distinct vertices; no arc of the network has the same patch on both
 /// sides and no corner of the network lies inside a patch.
-pub fn segment(
-    mesh: &TriMesh,
-    topology: &Topology,
-    network: &Network,
-    options: &VsaOptions,
-) -> Result<(Segmentation, VsaReport), VsaError> {
-    let surface = Surface::new(mesh, topology, network);
+pub fn segment(surface: &Surface, options: &VsaOptions) -> Result<(Segmentation, VsaReport), VsaError> {
+    let surface = Measured::new(surface);
     check(&surface, options)?;
     let metric = Metric::new(&surface, options.max_patches);
     let proxies = first_proxies(&surface, options.max_patches);
@@ -99,8 +94,8 @@ pub fn segment(
     Ok((Segmentation { patch_of_face: patch_of.iter().flatten().copied().collect(), n_patches }, report))
 }
 
-fn check(surface: &Surface, options: &VsaOptions) -> Result<(), VsaError> {
-    if surface.total_area <= 0.0 {
+fn check(surface: &Measured, options: &VsaOptions) -> Result<(), VsaError> {
+    if !(surface.total_area.is_finite() && surface.total_area > 0.0) {
         return Err(VsaError::NoSurface);
     }
     if !(options.max_angle > 0.0 && options.max_angle < 90.0) {
@@ -118,7 +113,7 @@ fn check(surface: &Surface, options: &VsaOptions) -> Result<(), VsaError> {
 /// Grows patches and refits the proxies. Every other round merges what the bound allows and adds seeds where normals spread too far;
 /// between them leftovers of growth, thin where a patch met itself, have a round to become fat patches of their own.
 fn lloyd(
-    surface: &Surface,
+    surface: &Measured,
     metric: &Metric,
     mut proxies: IdVec<PatchId, Proxy>,
     options: &VsaOptions,
@@ -142,7 +137,7 @@ fn lloyd(
 /// Adds a seed at the worst face of every patch whose normals spread too far, the worst patches first, as far as the budget goes, and
 /// beyond it where not even the budget allows such a spread.
 fn insert_seeds(
-    surface: &Surface,
+    surface: &Measured,
     metric: &Metric,
     patch_of: &PatchOf,
     proxies: &mut IdVec<PatchId, Proxy>,
@@ -170,7 +165,7 @@ fn within_bound(options: &VsaOptions) -> MergeRule {
 }
 
 /// Merges within the bound, then beyond it until the budget is met or the disk rule allows no more.
-fn merge_to_budget(surface: &Surface, patch_of: &mut PatchOf, options: &VsaOptions) -> usize {
+fn merge_to_budget(surface: &Measured, patch_of: &mut PatchOf, options: &VsaOptions) -> usize {
     let bound = within_bound(options);
     let beyond = MergeRule {
         max_spread: BUDGET_SPREAD.max(options.max_angle),
@@ -181,7 +176,7 @@ fn merge_to_budget(surface: &Surface, patch_of: &mut PatchOf, options: &VsaOptio
     merge(surface, patch_of, &bound) + merge(surface, patch_of, &beyond)
 }
 
-fn judge(surface: &Surface, patch_of: &PatchOf, report: &mut VsaReport) {
+fn judge(surface: &Measured, patch_of: &PatchOf, report: &mut VsaReport) {
     let moments = Moments::of_patches(surface, patch_of, n_patches(patch_of));
     report.error = moments.iter().map(Moments::error).sum::<f64>() / surface.total_area;
     report.max_spread = moments.iter().map(Moments::spread).fold(0.0, f64::max);

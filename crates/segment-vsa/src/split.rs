@@ -1,37 +1,47 @@
 //! Patches cut in two, for the stages that find a patch too long or too winding to lay flat.
 
 use crate::disk::{PatchOf, can_add, n_patches};
+use crate::measured::Measured;
 use crate::straighten::straighten;
-use crate::surface::Surface;
-use mesh_core::{FaceId, Id, Topology, TriMesh};
-use region_map::{Network, PatchId, Segmentation};
+use mesh_core::{FaceId, Id, IdVec};
+use region_map::{PatchId, Segmentation, Surface};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// Why patches are not split.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum SplitError {
+    /// The segmentation is of another mesh.
+    #[error("the segmentation has another number of faces than the surface, or a patch beyond its own number of patches")]
+    OtherMesh,
+    /// There is no such patch.
+    #[error("patch {0} cannot be split: the segmentation does not have it")]
+    NoSuchPatch(PatchId),
+}
+
 /// Cuts each of the given patches into two or more disks of about the same extent; a patch of one face stays as it is.
 ///
 /// Both halves grow at the same pace from the two ends of the patch, under the rule that keeps disks; what neither can take becomes a
-/// patch of its own.
-pub fn split(
-    mesh: &TriMesh,
-    topology: &Topology,
-    network: &Network,
-    segmentation: &Segmentation,
-    patches: &[PatchId],
-) -> Segmentation {
-    let surface = Surface::new(mesh, topology, network);
+/// patch of its own. A patch that is named twice is cut once.
+///
+/// Fails where the segmentation is not one of this surface, or does not have one of the patches.
+pub fn split(surface: &Surface, segmentation: &Segmentation, patches: &[PatchId]) -> Result<Segmentation, SplitError> {
+    check(surface, segmentation, patches)?;
+    let surface = Measured::new(surface);
     let mut patch_of: PatchOf = segmentation.patch_of_face.iter().map(|&p| Some(p)).collect();
     let faces = segmentation.faces_of_patches();
     let mut next = segmentation.n_patches;
+    let mut is_done: IdVec<PatchId, bool> = IdVec::filled(false, next);
     for &p in patches {
-        if faces[p].len() < 2 {
+        if faces[p].len() < 2 || std::mem::replace(&mut is_done[p], true) {
             continue;
         }
         let (from, to) = ends(&surface, &patch_of, &faces[p]);
         faces[p].iter().for_each(|&f| patch_of[f] = None);
         grow_by_distance(&surface, &mut patch_of, &[(from, p), (to, PatchId::new(next))]);
-        next += 1;
+        // Both ends are the same only where the patch hangs together nowhere, so is no disk.
+        next += usize::from(from != to);
         for &f in &faces[p] {
             if patch_of[f].is_none() {
                 grow_by_distance(&surface, &mut patch_of, &[(f, PatchId::new(next))]);
@@ -41,20 +51,31 @@ pub fn split(
     }
     straighten(&surface, &mut patch_of);
     let n_patches = n_patches(&patch_of);
-    Segmentation { patch_of_face: patch_of.iter().flatten().copied().collect(), n_patches }
+    Ok(Segmentation { patch_of_face: patch_of.iter().flatten().copied().collect(), n_patches })
+}
+
+fn check(surface: &Surface, segmentation: &Segmentation, patches: &[PatchId]) -> Result<(), SplitError> {
+    let of_face = &segmentation.patch_of_face;
+    if of_face.len() != surface.mesh().n_faces() || of_face.iter().any(|p| p.index() >= segmentation.n_patches) {
+        return Err(SplitError::OtherMesh);
+    }
+    match patches.iter().find(|p| p.index() >= segmentation.n_patches) {
+        Some(&p) => Err(SplitError::NoSuchPatch(p)),
+        None => Ok(()),
+    }
 }
 
 /// Distances are compared as bits: those of numbers that are not negative order like the numbers.
 type Distance = u64;
 
 /// Two faces of a patch that are about as far from each other as any two.
-fn ends(surface: &Surface, patch_of: &PatchOf, faces: &[FaceId]) -> (FaceId, FaceId) {
+fn ends(surface: &Measured, patch_of: &PatchOf, faces: &[FaceId]) -> (FaceId, FaceId) {
     let first = farthest(surface, patch_of, faces[0]);
     (first, farthest(surface, patch_of, first))
 }
 
 /// The face of the same patch that is farthest from a face, along centroids.
-fn farthest(surface: &Surface, patch_of: &PatchOf, from: FaceId) -> FaceId {
+fn farthest(surface: &Measured, patch_of: &PatchOf, from: FaceId) -> FaceId {
     let mut distance: FxHashMap<FaceId, f64> = FxHashMap::default();
     let mut queue = BinaryHeap::from([Reverse((0f64.to_bits(), from))]);
     let mut last = from;
@@ -75,13 +96,13 @@ fn farthest(surface: &Surface, patch_of: &PatchOf, from: FaceId) -> FaceId {
 }
 
 /// The neighbours of a face with their distances from where the face has distance `d`.
-fn across<'a>(surface: &'a Surface, f: FaceId, d: f64) -> impl Iterator<Item = (FaceId, Distance)> + 'a {
+fn across<'a>(surface: &'a Measured, f: FaceId, d: f64) -> impl Iterator<Item = (FaceId, Distance)> + 'a {
     let step = move |g: FaceId| (g, (d + surface.centroids[f].distance(surface.centroids[g])).to_bits());
     surface.topology.neighbours(f).into_iter().flatten().map(step)
 }
 
 /// Grows patches from seeds over the faces that have none, nearest first.
-fn grow_by_distance(surface: &Surface, patch_of: &mut PatchOf, seeds: &[(FaceId, PatchId)]) {
+fn grow_by_distance(surface: &Measured, patch_of: &mut PatchOf, seeds: &[(FaceId, PatchId)]) {
     let mut queue: BinaryHeap<Reverse<(Distance, FaceId, PatchId)>> = BinaryHeap::new();
     let take = |f: FaceId, p: PatchId, d: f64, patch_of: &mut PatchOf, queue: &mut BinaryHeap<_>| {
         patch_of[f] = Some(p);
@@ -102,31 +123,20 @@ fn grow_by_distance(surface: &Surface, patch_of: &mut PatchOf, seeds: &[(FaceId,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mesh_core::{EdgeId, IdVec};
-    use region_map::{ArcKind, Cells};
-
-    fn check(mesh: &TriMesh, is_sharp: impl Fn(&Topology, EdgeId) -> bool) {
-        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let kinds: IdVec<EdgeId, _> = topology.edge_ids().map(|e| is_sharp(&topology, e).then_some(ArcKind::Sharp)).collect();
-        let network = Network::trace(mesh, &topology, &kinds, |_| false, Vec::new());
-        let (mut segmentation, _) = crate::segment(mesh, &topology, &network, &crate::VsaOptions::default()).unwrap();
-        for _ in 0..4 {
-            let before = segmentation.n_patches;
-            let all: Vec<PatchId> = (0..before).map(PatchId::new).collect();
-            segmentation = split(mesh, &topology, &network, &segmentation, &all);
-            assert!(segmentation.n_patches > before);
-            Cells::trace(mesh, &topology, &network, &segmentation).unwrap();
-        }
-    }
+    use region_map::Cells;
 
     #[test]
     fn halves_are_disks() {
-        check(&fixtures::icosphere(6), |_, _| false);
-        check(&fixtures::torus(2.0, 0.7, 24, 12), |_, _| false);
-        let cube = fixtures::cube(5);
-        check(&cube, |t, e| {
-            let (f, g) = t.edge_faces(e);
-            g.is_some_and(|g| cube.normal(f).dot(cube.normal(g)) < 0.5)
-        });
+        for mesh in [fixtures::icosphere(6), fixtures::torus(2.0, 0.7, 24, 12), fixtures::cube(5)] {
+            let surface = Surface::with_creases(mesh, 60.0).unwrap();
+            let (mut segmentation, _) = crate::segment(&surface, &crate::VsaOptions::default()).unwrap();
+            for _ in 0..4 {
+                let before = segmentation.n_patches;
+                let all: Vec<PatchId> = (0..before).map(PatchId::new).collect();
+                segmentation = split(&surface, &segmentation, &all).unwrap();
+                assert!(segmentation.n_patches > before);
+                Cells::trace(&surface, &segmentation).unwrap();
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Straight smooth borders: faces change sides where most of their surroundings lie.
 
 use crate::disk::{PatchOf, can_add, can_remove};
-use crate::surface::Surface;
+use crate::measured::Measured;
 use mesh_core::FaceId;
 use region_map::PatchId;
 
@@ -14,7 +14,7 @@ const MAJORITY: f64 = 1.000_001;
 
 /// Moves faces along smooth borders to the side that has more of the area around them, which flows the border by its curvature.
 /// Across the network nothing moves. Returns the number of faces that changed sides.
-pub(crate) fn straighten(surface: &Surface, patch_of: &mut PatchOf) -> usize {
+pub(crate) fn straighten(surface: &Measured, patch_of: &mut PatchOf) -> usize {
     let mut swaps = 0;
     let mut around = Vec::new();
     let mut active: Vec<FaceId> = surface.topology.faces().ids().collect();
@@ -36,7 +36,7 @@ pub(crate) fn straighten(surface: &Surface, patch_of: &mut PatchOf) -> usize {
 }
 
 /// The patch across one of its edges that `f` should go to. Leaves the faces around `f` in `around` when there is one.
-fn better_side(surface: &Surface, patch_of: &PatchOf, f: FaceId, around: &mut Vec<FaceId>) -> Option<PatchId> {
+fn better_side(surface: &Measured, patch_of: &PatchOf, f: FaceId, around: &mut Vec<FaceId>) -> Option<PatchId> {
     let topology = surface.topology;
     let own = patch_of[f];
     let across = |h| topology.twin(h).filter(|_| !surface.network.is_barrier(topology.edge(h))).and_then(|t| patch_of[t.face()]);
@@ -54,7 +54,7 @@ fn better_side(surface: &Surface, patch_of: &PatchOf, f: FaceId, around: &mut Ve
 }
 
 /// The other faces within two rings of vertices.
-fn collect_around(surface: &Surface, f: FaceId, around: &mut Vec<FaceId>) {
+fn collect_around(surface: &Measured, f: FaceId, around: &mut Vec<FaceId>) {
     let topology = surface.topology;
     around.clear();
     around.push(f);

@@ -2,7 +2,7 @@
 
 use mesh_core::{IdVec, Topology, TriMesh, VertexId};
 use proptest::prelude::*;
-use region_map::{ArcKind, Cells, Network, Segmentation};
+use region_map::{ArcKind, Cells, Network, Segmentation, Surface};
 use segment_vsa::{VsaError, VsaOptions, VsaReport, segment};
 
 fn topology(mesh: &TriMesh) -> Topology {
@@ -10,25 +10,19 @@ fn topology(mesh: &TriMesh) -> Topology {
 }
 
 /// Segments, and checks that the cells are disks that keep the topology of the surface.
-fn check(mesh: &TriMesh, network: &Network, options: &VsaOptions) -> (Segmentation, VsaReport) {
-    let topology = topology(mesh);
-    let (segmentation, report) = segment(mesh, &topology, network, options).expect("valid options");
-    assert_eq!(segmentation.patch_of_face.len(), mesh.n_faces());
+fn check(surface: &Surface, options: &VsaOptions) -> (Segmentation, VsaReport) {
+    let (segmentation, report) = segment(surface, options).expect("valid options");
+    assert_eq!(segmentation.patch_of_face.len(), surface.mesh().n_faces());
     assert!(segmentation.faces_of_patches().iter().all(|faces| !faces.is_empty()));
-    let cells = Cells::trace(mesh, &topology, network, &segmentation).expect("disks");
+    let cells = Cells::trace(surface, &segmentation).expect("disks");
     let euler = cells.corners.len() as i64 - cells.arcs.len() as i64 + cells.patches.len() as i64;
-    assert_eq!(euler, topology.euler());
+    assert_eq!(euler, surface.topology().euler());
     (segmentation, report)
 }
 
-/// Border edges and edges of more than 40 degrees.
-fn network(mesh: &TriMesh) -> Network {
-    network_with_corner(mesh, |_| false)
-}
-
-fn network_with_corner(mesh: &TriMesh, is_corner: impl Fn(VertexId) -> bool) -> Network {
-    let topology = topology(mesh);
-    Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), is_corner, Vec::new())
+/// Arcs at borders and at edges of more than 40 degrees.
+fn creased(mesh: TriMesh) -> Surface {
+    Surface::with_creases(mesh, 40.0).expect("a manifold")
 }
 
 fn options(max_patches: usize) -> VsaOptions {
@@ -82,7 +76,7 @@ fn every_shape_becomes_disks() {
     for (name, mesh) in shapes() {
         for max_patches in [1, 4, 40, 1000] {
             println!("{name}, {max_patches} patches");
-            check(&mesh, &network(&mesh), &options(max_patches));
+            check(&creased(mesh.clone()), &options(max_patches));
         }
     }
 }
@@ -92,22 +86,20 @@ fn slivers_may_be_merged_whatever_their_size() {
     for (name, mesh) in shapes() {
         println!("{name}");
         let base_edge_length = 0.3 * mesh.diagonal();
-        check(&mesh, &network(&mesh), &VsaOptions { base_edge_length, ..options(8) });
+        check(&creased(mesh), &VsaOptions { base_edge_length, ..options(8) });
     }
 }
 
 #[test]
 fn flat_faces_are_patches() {
-    let cube = fixtures::cube(4);
-    let (segmentation, report) = check(&cube, &network(&cube), &options(6));
+    let (segmentation, report) = check(&creased(fixtures::cube(4)), &options(6));
     assert_eq!(segmentation.n_patches, 6);
     assert!(report.error < 1e-12 && report.max_spread < 1e-3);
 }
 
 #[test]
 fn a_smooth_sphere_needs_few_patches() {
-    let sphere = fixtures::icosphere(8);
-    let (segmentation, report) = check(&sphere, &network(&sphere), &options(64));
+    let (segmentation, report) = check(&creased(fixtures::icosphere(8)), &options(64));
     // A cap of 40 degrees covers (1 - cos 40) / 2 of the sphere: at least 9 are needed.
     assert!((9..=20).contains(&segmentation.n_patches), "{} patches", segmentation.n_patches);
     assert!(report.max_spread <= 45.0, "{}", report.max_spread);
@@ -116,38 +108,40 @@ fn a_smooth_sphere_needs_few_patches() {
 #[test]
 fn the_tip_of_a_cone_is_not_inside() {
     let cone = fixtures::cone(1.0, 1.5, 40);
-    let network = network_with_corner(&cone, |v| cone.position(v).z > 1.5 - 1e-9);
+    let topology = topology(&cone);
+    let kinds = ArcKind::by_angle(&cone, &topology, 40.0);
+    let is_tip = |v| cone.position(v).z > 1.5 - 1e-9;
+    let network = Network::trace(&cone, &topology, &kinds, is_tip, Vec::new()).expect("tables of one mesh");
     assert_eq!(network.corners.len(), 1);
-    check(&cone, &network, &options(2));
+    check(&Surface::new(cone, topology, network).expect("one mesh"), &options(2));
 }
 
 #[test]
 fn the_same_twice() {
-    let part = fixtures::part(5);
-    let network = network(&part);
-    assert_eq!(check(&part, &network, &options(30)), check(&part, &network, &options(30)));
+    let part = creased(fixtures::part(5));
+    assert_eq!(check(&part, &options(30)), check(&part, &options(30)));
 }
 
 #[test]
 fn bad_options_are_named() {
-    let cube = fixtures::cube(1);
-    let (topology, network) = (topology(&cube), network(&cube));
-    let refused = |options: &VsaOptions| segment(&cube, &topology, &network, options).expect_err("refused");
+    let cube = creased(fixtures::cube(1));
+    let refused = |options: &VsaOptions| segment(&cube, options).expect_err("refused");
     assert_eq!(refused(&options(0)), VsaError::ZeroCount);
     assert_eq!(refused(&VsaOptions { max_angle: 90.0, ..options(6) }), VsaError::MaxAngle(90.0));
     assert!(matches!(refused(&VsaOptions { base_edge_length: f64::NAN, ..options(6) }), VsaError::BaseEdgeLength(_)));
 }
 
 /// Random edges as creases and random vertices as corners, however senseless: isolated chains, crosses, dots.
-fn scribble(mesh: &TriMesh, edges: &[usize], corners: &[usize]) -> Network {
-    let topology = topology(mesh);
+fn scribble(mesh: TriMesh, edges: &[usize], corners: &[usize]) -> Surface {
+    let topology = topology(&mesh);
     let mut kinds: IdVec<_, _> = topology.edge_ids().map(|e| topology.is_border_edge(e).then_some(ArcKind::Border)).collect();
     let all: Vec<_> = topology.edge_ids().collect();
     for &i in edges {
         kinds[all[i % all.len()]].get_or_insert(ArcKind::Sharp);
     }
     let corners: Vec<VertexId> = corners.iter().map(|&i| VertexId((i % mesh.n_vertices()) as u32)).collect();
-    Network::trace(mesh, &topology, &kinds, |v| corners.contains(&v), Vec::new())
+    let network = Network::trace(&mesh, &topology, &kinds, |v| corners.contains(&v), Vec::new()).expect("tables of one mesh");
+    Surface::new(mesh, topology, network).expect("one mesh")
 }
 
 proptest! {
@@ -171,7 +165,8 @@ proptest! {
         };
         let n = 3 * mesh.n_faces();
         let pick = |list: &[prop::sample::Index]| list.iter().map(|i| i.index(n)).collect::<Vec<_>>();
-        let network = scribble(&mesh, &pick(&edges), &pick(&corners));
-        check(&mesh, &network, &VsaOptions { base_edge_length: size * mesh.diagonal(), ..options(max_patches) });
+        let base_edge_length = size * mesh.diagonal();
+        let surface = scribble(mesh, &pick(&edges), &pick(&corners));
+        check(&surface, &VsaOptions { base_edge_length, ..options(max_patches) });
     }
 }

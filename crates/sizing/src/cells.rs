@@ -16,8 +16,8 @@ pub(crate) struct Cells {
 impl Cells {
     /// Grows cells of about the given radius: each face that is farther than it from all centres so far becomes a centre, in the
     /// order of ids, and takes the faces that are nearer to it than to others.
-    pub(crate) fn grow(surface: &Surface<'_>, radius: f64) -> Self {
-        let mesh = surface.mesh;
+    pub(crate) fn grow(surface: &Surface, radius: f64) -> Self {
+        let (mesh, topology, network) = (surface.mesh(), surface.topology(), surface.network());
         let mut cells = Self { of_face: IdVec::filled(u32::MAX, mesh.n_faces()), n: 0 };
         let mut distance = IdVec::<FaceId, f64>::filled(f64::INFINITY, mesh.n_faces());
         let mut queue = BinaryHeap::new();
@@ -35,11 +35,11 @@ impl Cells {
                 if d > distance[f] || cells.of_face[f] != cell {
                     continue;
                 }
-                for h in surface.topology.halfedges(f) {
-                    let Some(twin) = surface.topology.twin(h) else { continue };
+                for h in topology.halfedges(f) {
+                    let Some(twin) = topology.twin(h) else { continue };
                     let g = twin.face();
                     let further = d + mesh.centroid(f).distance(mesh.centroid(g));
-                    if further < distance[g] && further <= 2.0 * radius && !surface.network.is_barrier(surface.topology.edge(h)) {
+                    if further < distance[g] && further <= 2.0 * radius && !network.is_barrier(topology.edge(h)) {
                         (distance[g], cells.of_face[g]) = (further, cell);
                         queue.push(Reverse((further.to_bits(), g)));
                     }

@@ -7,7 +7,7 @@ use region_map::{Arc, Surface};
 
 /// How fast the normal turns between each cell and its neighbours in the sheet: the root mean square over the neighbours, then
 /// smoothed once.
-pub(crate) fn cell_curvature(surface: &Surface<'_>, cells: &Cells) -> Vec<f64> {
+pub(crate) fn cell_curvature(surface: &Surface, cells: &Cells) -> Vec<f64> {
     let (normals, centres) = means(surface, cells);
     let pairs = neighbours(surface, cells);
     let mut sums = vec![(0.0, 0.0); cells.n];
@@ -30,42 +30,45 @@ pub(crate) fn cell_curvature(surface: &Surface<'_>, cells: &Cells) -> Vec<f64> {
 }
 
 /// Mean normal and centroid of every cell.
-fn means(surface: &Surface<'_>, cells: &Cells) -> (Vec<DVec3>, Vec<DVec3>) {
+fn means(surface: &Surface, cells: &Cells) -> (Vec<DVec3>, Vec<DVec3>) {
     let mut sums = vec![(DVec3::ZERO, DVec3::ZERO, 0.0); cells.n];
     for (f, &cell) in cells.of_face.enumerate() {
-        let vector = mesh_core::vector_area(surface.mesh.triangle(f));
+        let vector = mesh_core::vector_area(surface.mesh().triangle(f));
         let sum = &mut sums[cell as usize];
-        *sum = (sum.0 + vector, sum.1 + vector.length() * surface.mesh.centroid(f), sum.2 + vector.length());
+        *sum = (sum.0 + vector, sum.1 + vector.length() * surface.mesh().centroid(f), sum.2 + vector.length());
     }
     let normals = sums.iter().map(|s| s.0.normalize_or(DVec3::Z)).collect();
     (normals, sums.iter().map(|s| if s.2 > 0.0 { s.1 / s.2 } else { DVec3::ZERO }).collect())
 }
 
 /// Pairs of cells that share an edge off the arcs, in rising order.
-fn neighbours(surface: &Surface<'_>, cells: &Cells) -> Vec<(usize, usize)> {
+fn neighbours(surface: &Surface, cells: &Cells) -> Vec<(usize, usize)> {
     let pair = |e| {
-        let (f, g) = surface.topology.edge_faces(e);
+        let (f, g) = surface.topology().edge_faces(e);
         let (i, j) = (cells.of_face[f] as usize, cells.of_face[g?] as usize);
-        (i != j && !surface.network.is_barrier(e)).then_some((i.min(j), i.max(j)))
+        (i != j && !surface.network().is_barrier(e)).then_some((i.min(j), i.max(j)))
     };
-    let mut pairs: Vec<_> = surface.topology.edge_ids().filter_map(pair).collect();
+    let mut pairs: Vec<_> = surface.topology().edge_ids().filter_map(pair).collect();
     pairs.sort_unstable();
     pairs.dedup();
     pairs
 }
 
-/// How fast arcs turn at their vertices, measured over half an edge length on each side.
-pub(crate) fn arc_curvature(surface: &Surface<'_>, edge_length: f64) -> Vec<(VertexId, f64)> {
-    let reach = 0.5 * edge_length;
+/// How far on each side of a vertex the turn of an arc is measured, in edge lengths: an edge with the vertex in its middle sees as much.
+const ARC_REACH: f64 = 0.5;
+
+/// How fast arcs turn at their vertices.
+pub(crate) fn arc_curvature(surface: &Surface, edge_length: f64) -> Vec<(VertexId, f64)> {
+    let reach = ARC_REACH * edge_length;
     let at_vertex = |arc: &Arc, i: usize| {
         let t = arc.lengths[i];
         if !arc.is_loop() && (t <= 0.0 || t >= arc.length()) {
             return None;
         }
-        let position = |t: f64| arc.position(surface.mesh, t);
+        let position = |t: f64| arc.position(surface.mesh(), t);
         let turn = (position(t) - position(t - reach)).angle_between(position(t + reach) - position(t));
         turn.is_finite().then_some((arc.vertices[i], turn / reach))
     };
-    let arcs = surface.network.arcs.iter();
+    let arcs = surface.network().arcs.iter();
     arcs.flat_map(|arc| (0..arc.vertices.len()).filter_map(move |i| at_vertex(arc, i))).collect()
 }

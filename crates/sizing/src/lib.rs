@@ -4,17 +4,12 @@
 //! change gradually.
 //!
 //! ```
-//! use mesh_core::Topology;
-//! use region_map::{SheetNormals, Surface};
+//! use region_map::Surface;
 //! use sizing::{SizingOptions, sizing};
 //!
 //! // Base edges of length 2 are too long for a sphere of radius 1: along one it would turn by 2 radians, more than `turn`.
-//! let mesh = fixtures::icosphere(20);
-//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//! let network = features::detect(&mesh, &topology, &Default::default())?;
-//! let normals = SheetNormals::new(&mesh, &topology, &network);
-//! let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
-//! let field = sizing(&surface, &SizingOptions::new(2.0));
+//! let surface = Surface::smooth(fixtures::icosphere(20))?;
+//! let field = sizing(&surface, &SizingOptions::new(2.0))?;
 //! assert!(field.relative.iter().all(|h| (h - 0.8).abs() < 0.05));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -24,4 +19,4 @@ mod curvature;
 mod gradation;
 mod sizing;
 
-pub use sizing::{SizingOptions, sizing};
+pub use sizing::{SizingError, SizingOptions, sizing};

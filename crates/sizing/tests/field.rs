@@ -3,29 +3,25 @@
 use glam::DVec3;
 use mesh_core::{Topology, TriMesh, VertexId};
 use proptest::prelude::*;
-use region_map::{Network, SheetNormals, Sizing, Surface};
+use region_map::{Sizing, Surface};
 use sizing::{SizingOptions, sizing};
 
 /// A mesh with its creases and borders.
 struct Shape {
-    mesh: TriMesh,
-    topology: Topology,
-    network: Network,
-    normals: SheetNormals,
+    surface: Surface,
 }
 
 impl Shape {
     fn new(mesh: TriMesh) -> Self {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let network = features::detect(&mesh, &topology, &Default::default()).unwrap();
-        let normals = SheetNormals::new(&mesh, &topology, &network);
-        Self { mesh, topology, network, normals }
+        let network = features::detect(&mesh, &topology, &[], 0.0, &Default::default()).unwrap();
+        Self { surface: Surface::new(mesh, topology, network).unwrap() }
     }
 
     /// The field, and what it promises anywhere: the range, and the gradation along every edge.
     fn field(&self, options: &SizingOptions) -> Sizing {
-        let Self { mesh, topology, network, normals } = self;
-        let field = sizing(&Surface { mesh, topology, network, normals }, options);
+        let (mesh, topology) = (self.surface.mesh(), self.surface.topology());
+        let field = sizing(&self.surface, options).unwrap();
         assert_eq!(field.relative.len(), mesh.n_vertices());
         let range = options.least..=options.range;
         assert!(field.relative.iter().all(|h| range.contains(h)), "range {range:?}");
@@ -39,8 +35,9 @@ impl Shape {
     }
 
     fn nearest(&self, to: DVec3) -> VertexId {
-        let distance = |v: &VertexId| self.mesh.position(*v).distance(to);
-        self.mesh.positions().ids().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap()
+        let mesh = self.surface.mesh();
+        let distance = |v: &VertexId| mesh.position(*v).distance(to);
+        mesh.positions().ids().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap()
     }
 }
 
@@ -64,7 +61,7 @@ fn flat_sides_have_the_greatest_length_everywhere() {
     for mesh in [fixtures::plane(), fixtures::cube(1), fixtures::cube(6), fixtures::l_block(3)] {
         let shape = Shape::new(mesh);
         for share in [0.01, 0.1, 0.5] {
-            let options = SizingOptions::new(share * shape.mesh.diagonal());
+            let options = SizingOptions::new(share * shape.surface.mesh().diagonal());
             assert!(shape.field(&options).relative.iter().all(|h| *h == options.range));
         }
     }
@@ -90,7 +87,7 @@ fn the_rim_of_a_cylinder_is_an_arc_that_bends() {
     let options = SizingOptions { gradation: 10.0, ..SizingOptions::new(2.0) };
     let field = shape.field(&options);
     let rim = shape.nearest(DVec3::new(1.0, 0.0, 6.0));
-    assert!(shape.network.arcs.iter().any(|a| a.vertices.contains(&rim)));
+    assert!(shape.surface.network().arcs.iter().any(|a| a.vertices.contains(&rim)));
     assert!((field.relative[rim] / 0.8 - 1.0).abs() < 0.05, "{}", field.relative[rim]);
     let middle = shape.nearest(DVec3::new(0.0, 0.0, 6.0));
     assert_eq!(field.relative[middle], options.range);
@@ -109,9 +106,9 @@ fn edges_are_short_on_a_thin_limb_and_long_on_the_body() {
 #[test]
 fn limbs_of_the_blob_ask_for_less_than_its_body() {
     let shape = Shape::new(fixtures::blob(20));
-    let edge_length = 0.25 * shape.mesh.diagonal();
+    let edge_length = 0.25 * shape.surface.mesh().diagonal();
     let field = shape.field(&SizingOptions { gradation: 1.0, ..SizingOptions::new(edge_length) });
-    let tip = shape.mesh.positions().enumerate().max_by(|a, b| a.1.length().total_cmp(&b.1.length())).unwrap().0;
+    let tip = shape.surface.mesh().positions().enumerate().max_by(|a, b| a.1.length().total_cmp(&b.1.length())).unwrap().0;
     let mean = field.relative.iter().sum::<f64>() / field.relative.len() as f64;
     assert!(field.relative[tip] < 0.8 * mean, "tip {}, mean {mean}", field.relative[tip]);
 }
@@ -145,7 +142,7 @@ proptest! {
             _ => fixtures::cad(16),
         };
         let shape = Shape::new(mesh);
-        let edge_length = share * shape.mesh.diagonal();
+        let edge_length = share * shape.surface.mesh().diagonal();
         shape.field(&SizingOptions { turn, least, gradation, ..SizingOptions::new(edge_length) });
     }
 }

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec, Topology, TriMesh};
-use region_map::Network;
+use region_map::{Network, Surface};
 
 /// The working mesh with normals, areas and centroids of its faces.
-pub(crate) struct Surface<'a> {
+pub(crate) struct Measured<'a> {
     pub(crate) mesh: &'a TriMesh,
     pub(crate) topology: &'a Topology,
     pub(crate) network: &'a Network,
@@ -15,8 +15,9 @@ pub(crate) struct Surface<'a> {
     pub(crate) total_area: f64,
 }
 
-impl<'a> Surface<'a> {
-    pub(crate) fn new(mesh: &'a TriMesh, topology: &'a Topology, network: &'a Network) -> Self {
+impl<'a> Measured<'a> {
+    pub(crate) fn new(surface: &'a Surface) -> Self {
+        let (mesh, topology, network) = (surface.mesh(), surface.topology(), surface.network());
         let areas = mesh.areas();
         let total_area = areas.iter().sum();
         let centroids = mesh.faces().ids().map(|f| mesh.centroid(f)).collect();
