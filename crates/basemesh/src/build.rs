@@ -1,6 +1,7 @@
 //! The stage: charts, triangulations, one mesh, and then its connectivity improved.
 
 use crate::BaseError;
+use crate::arguments::{check_sites, check_wishes};
 use crate::assemble::{FlatFace, Patchwork, make_simplicial};
 use crate::chart::{PatchChart, chart};
 use crate::improve::improved;
@@ -9,8 +10,8 @@ use glam::DVec2;
 use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
 use rayon::prelude::*;
 use region_map::{
-    ArcSpan, Attachment, BaseCounts, BaseMap, BaseMesh, CellArc, CellArcId, CellCornerId, Cells, Chart, ChartId, Network,
-    PatchId, RegionMap, SheetId, Sites, Sizing, Surface,
+    ArcSpan, Attachment, BaseMap, BaseMesh, CellArc, CellArcId, CellCornerId, Cells, Chart, ChartId, Domain, Network, PatchId,
+    RegionMap, SheetId, Sites, Sizing, Surface,
 };
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
@@ -35,14 +36,18 @@ impl Default for BaseOptions {
 }
 
 /// Builds the base mesh of the sites: simplicial, manifold, of the topology of the mesh, every arc of the network on its edges.
+///
+/// Fails where patches cannot be laid flat, where an option is out of its range, and where the arguments are not of one surface.
 pub fn build(
-    surface: &Surface<'_>,
+    surface: &Surface,
     cells: &Cells,
     sites: &Sites,
     sizing: &Sizing,
     options: &BaseOptions,
 ) -> Result<BaseMesh, BaseError> {
-    let &Surface { mesh, topology, network, .. } = surface;
+    check_wishes(surface, sizing, options)?;
+    check_sites(surface, cells, sites)?;
+    let (mesh, topology, network) = (surface.mesh(), surface.topology(), surface.network());
     let vertices = Vertices::collect(topology, network, cells, sites)?;
     let flat: Vec<Option<(Chart, Vec<FlatFace>)>> = (0..cells.patches.len())
         .into_par_iter()
@@ -205,5 +210,6 @@ fn join(
     let base = TriMesh::new(positions, faces).map_err(|e| BaseError::Internal(e.to_string()))?;
     let map_faces = (0..base.n_faces()).map(region_map::MapFaceId::new).collect();
     let region = RegionMap { attachments, points, sheet_of_face, spans };
-    Ok(BaseMesh { mesh: base, region, map, map_faces, counts: BaseCounts::default() })
+    let domain = Domain::new(base, region).map_err(|e| BaseError::Internal(e.to_string()))?;
+    Ok(BaseMesh { domain, map, map_faces })
 }

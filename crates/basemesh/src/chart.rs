@@ -35,7 +35,9 @@ pub(crate) fn chart(
     for &(arc_id, forward) in &patch.border {
         let arc = &cells.arcs[arc_id];
         let mut run = run_along(arc, &on_arcs[arc_id], &mut pieces);
-        run[0].base = Some(corner(arc.corners[0]));
+        if let Some(first) = run.first_mut() {
+            first.base = Some(corner(arc.corners[0]));
+        }
         if let Some(last) = run.last_mut() {
             last.base = Some(corner(arc.corners[1]));
         }

@@ -11,9 +11,9 @@ use crate::BaseError;
 use crate::layout::quad;
 use crate::star::{Face, Ring, edges_of};
 use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, Id, IdVec, SurfacePoint, TriMesh, VertexId};
 use rayon::prelude::*;
-use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, MapFaceId, RegionMap, Sizing, Surface};
+use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, Domain, MapFaceId, RegionMap, Sizing, Surface};
 pub(crate) use removal::{Filling, Hole, Removal};
 use replace::Edit;
 use rustc_hash::FxHashMap;
@@ -29,7 +29,7 @@ const LENGTH_STEPS: usize = 4;
 /// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
 #[derive(Clone)]
 pub(crate) struct Editor<'a> {
-    surface: &'a Surface<'a>,
+    surface: &'a Surface,
     faces: IdVec<FaceId, Option<Face>>,
     /// The samples in every face.
     covered: IdVec<FaceId, Vec<Placed>>,
@@ -45,10 +45,9 @@ pub(crate) struct Editor<'a> {
 }
 
 impl<'a> Editor<'a> {
-    /// Takes a base mesh apart. Fails when it is not manifold.
-    pub(crate) fn new(surface: &'a Surface<'a>, base: BaseMesh) -> Result<Self, BaseError> {
-        let BaseMesh { mesh: base, region, map, map_faces, .. } = base;
-        let topology = Topology::new(base.faces(), base.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
+    /// Takes a base mesh of the surface apart.
+    pub(crate) fn new(surface: &'a Surface, base: BaseMesh) -> Self {
+        let BaseMesh { domain: Domain { mesh: base, topology, region }, map, map_faces } = base;
         let on_border = base.positions().ids().map(|v| topology.is_border_vertex(v)).collect();
         let mut star = IdVec::filled(Vec::new(), base.n_vertices());
         let mut faces = IdVec::new();
@@ -61,7 +60,7 @@ impl<'a> Editor<'a> {
             vertices.iter().for_each(|&v| star[v].push(f));
         }
         let n_vertices = star.iter().filter(|s: &&Vec<FaceId>| !s.is_empty()).count();
-        Ok(Self {
+        Self {
             surface,
             faces,
             covered,
@@ -73,7 +72,7 @@ impl<'a> Editor<'a> {
             region,
             map,
             n_vertices,
-        })
+        }
     }
 
     /// Number of vertices now.
@@ -93,7 +92,7 @@ impl<'a> Editor<'a> {
         self.find_face(corners).is_some()
     }
     fn find_face(&self, corners: [VertexId; 3]) -> Option<FaceId> {
-        self.star[corners[0]].iter().copied().find(|&f| self.face(f).is_some_and(|f| f.from(corners[0]) == corners))
+        self.star_of(corners[0]).iter().copied().find(|&f| self.face(f).is_some_and(|f| f.from(corners[0]) == corners))
     }
     /// All edges now, ends rising, in a fixed order.
     pub(crate) fn edges(&self) -> Vec<[VertexId; 2]> {
@@ -105,7 +104,7 @@ impl<'a> Editor<'a> {
     }
     /// True while both vertices are joined.
     pub(crate) fn is_edge(&self, a: VertexId, b: VertexId) -> bool {
-        self.star[a].iter().any(|&f| self.face(f).is_some_and(|f| f.vertices.contains(&b)))
+        self.star_of(a).iter().any(|&f| self.face(f).is_some_and(|f| f.vertices.contains(&b)))
     }
     /// Position of a vertex.
     pub(crate) fn position(&self, v: VertexId) -> DVec3 {
@@ -118,8 +117,8 @@ impl<'a> Editor<'a> {
     /// Unit direction in which an edge on an arc leaves `v`, along the arc.
     pub(crate) fn arc_direction(&self, v: VertexId, to: VertexId) -> Option<DVec3> {
         let span = self.span(v, to)?;
-        let arc = &self.surface.network.arcs[span.arc];
-        let near = arc.position(self.surface.mesh, span.from + NEAR_START * (span.to - span.from));
+        let arc = &self.surface.network().arcs[span.arc];
+        let near = arc.position(self.surface.mesh(), span.from + NEAR_START * (span.to - span.from));
         (near - self.positions[v]).try_normalize()
     }
     /// Length on the surface of what the map makes of an edge, on an arc that of its span. A chord would not see a limb that the
@@ -152,7 +151,7 @@ impl<'a> Editor<'a> {
             let s = i as f64 / LENGTH_STEPS as f64;
             let mut weights = DVec3::ZERO;
             (weights[corner[0]], weights[corner[1]]) = (1.0 - s, s);
-            self.map.locate(face.map, weights).position(self.surface.mesh)
+            self.map.locate(face.map, weights).position(self.surface.mesh())
         };
         let inner = (1..LENGTH_STEPS).map(along).chain([self.positions[b]]);
         let length = inner.fold((0.0, self.positions[a]), |(sum, last), p| (sum + last.distance(p), p)).0;
@@ -164,11 +163,11 @@ impl<'a> Editor<'a> {
     }
     /// What the sizing field says at a vertex.
     pub(crate) fn size(&self, sizing: &Sizing, v: VertexId) -> f64 {
-        sizing.at(self.surface.mesh, self.region.points[v])
+        sizing.at(self.surface.mesh(), self.region.points[v])
     }
     /// Area of the working mesh.
     pub(crate) fn surface_area(&self) -> f64 {
-        self.surface.mesh.total_area()
+        self.surface.mesh().total_area()
     }
     /// The part of an arc that an edge lies on.
     pub(crate) fn span(&self, a: VertexId, b: VertexId) -> Option<ArcSpan> {
@@ -192,6 +191,10 @@ impl<'a> Editor<'a> {
     pub(crate) fn is_on_border(&self, v: VertexId) -> bool {
         self.on_border[v]
     }
+    /// The faces at a vertex; none at one that is not there.
+    fn star_of(&self, v: VertexId) -> &[FaceId] {
+        self.star.get(v).map_or(&[], Vec::as_slice)
+    }
     fn face(&self, f: FaceId) -> Option<Face> {
         self.faces[f]
     }
@@ -199,7 +202,7 @@ impl<'a> Editor<'a> {
     /// The third vertices of the faces on the left and on the right of the edge from `a` to `b`, with the faces.
     fn beside(&self, a: VertexId, b: VertexId) -> [Option<(FaceId, VertexId)>; 2] {
         let find = |from: VertexId, to: VertexId| {
-            self.star[from].iter().find_map(|&f| {
+            self.star_of(from).iter().find_map(|&f| {
                 let [_, next, opposite] = self.face(f)?.from(from);
                 (next == to).then_some((f, opposite))
             })
@@ -214,7 +217,8 @@ impl<'a> Editor<'a> {
 
     /// The one-ring of a vertex; `None` for a vertex that is gone.
     pub(crate) fn ring(&self, v: VertexId) -> Option<Ring> {
-        let spokes: Vec<(VertexId, VertexId, FaceId)> = self.star[v]
+        let spokes: Vec<(VertexId, VertexId, FaceId)> = self
+            .star_of(v)
             .iter()
             .filter_map(|&f| {
                 let [_, next, last] = self.face(f)?.from(v);
@@ -261,9 +265,9 @@ impl<'a> Editor<'a> {
         let span = self.span(a, b);
         let (attachment, point) = match span {
             Some(s) => {
-                let arc = &self.surface.network.arcs[s.arc];
+                let arc = &self.surface.network().arcs[s.arc];
                 let t = arc.normalise(0.5 * (s.from + s.to));
-                (Attachment::Arc { arc: s.arc, t }, arc.point(self.surface.topology, t))
+                (Attachment::Arc { arc: s.arc, t }, arc.point(self.surface.topology(), t))
             }
             None => (Attachment::Sheet(face.sheet), self.map.locate(face.map, weights)),
         };
@@ -312,7 +316,7 @@ impl<'a> Editor<'a> {
         self.region.attachments.push(attachment);
         self.region.points.push(point);
         self.star.push(Vec::new());
-        self.positions.push(point.position(self.surface.mesh))
+        self.positions.push(point.position(self.surface.mesh()))
     }
 
     /// The base mesh, without holes in the numbering; corners of the network first, then the rest in order.
@@ -337,13 +341,13 @@ impl<'a> Editor<'a> {
             region.insert_span(renumbered(a)?, renumbered(b)?, span);
         }
         let mesh = TriMesh::new(positions, faces).map_err(|e| BaseError::Internal(e.to_string()))?;
-        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).map_err(|e| BaseError::Internal(e.to_string()))?;
-        region.check(&topology, self.surface.network).map_err(|e| BaseError::Internal(e.to_string()))?;
-        Ok(BaseMesh { mesh, region, map: self.map, map_faces, counts: Default::default() })
+        let domain = Domain::new(mesh, region).map_err(|e| BaseError::Internal(e.to_string()))?;
+        domain.check(self.surface.network()).map_err(|e| BaseError::Internal(e.to_string()))?;
+        Ok(BaseMesh { domain, map: self.map, map_faces })
     }
 }
 
 /// Normal of the surface at the middle of a face of the map.
-fn surface_normal(surface: &Surface<'_>, map: &BaseMap, face: MapFaceId) -> DVec3 {
-    surface.normals.at(map.locate(face, DVec3::splat(1.0 / 3.0)))
+fn surface_normal(surface: &Surface, map: &BaseMap, face: MapFaceId) -> DVec3 {
+    surface.normals().at(map.locate(face, DVec3::splat(1.0 / 3.0)))
 }

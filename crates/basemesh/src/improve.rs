@@ -11,7 +11,7 @@ use crate::mend::mend_ears;
 use crate::shape::is_folded;
 use crate::{BaseError, BaseOptions};
 use mesh_core::{VertexId, equilateral_edge_length};
-use region_map::{BaseCounts, BaseMesh, Sizing, Surface};
+use region_map::{BaseMesh, Sizing, Surface};
 use std::ops::Range;
 
 /// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
@@ -38,16 +38,14 @@ const LEAST_PROGRESS: f64 = 0.05;
 
 /// A first base mesh with better connectivity, and with the number of vertices that is asked for, as far as that can be.
 pub(crate) fn improved(
-    surface: &Surface<'_>,
+    surface: &Surface,
     first: BaseMesh,
     sizing: &Sizing,
     options: &BaseOptions,
 ) -> Result<BaseMesh, BaseError> {
-    let mut editor = Editor::new(surface, first)?;
+    let mut editor = Editor::new(surface, first);
     improve(&mut editor, sizing, options);
-    let mut base = editor.finish()?;
-    base.counts = BaseCounts { asked: options.base_vertices, needed: 0, made: base.mesh.n_vertices(), reason: String::new() };
-    Ok(base)
+    editor.finish()
 }
 
 /// Brings the number of vertices to the request, as far as corners and arcs allow, and the triangles nearer to equilateral, with

@@ -2,35 +2,27 @@
 //! patches joined to one simplicial mesh with a bijective map to the input (paper, section 3.2), and its connectivity improved.
 //!
 //! ```
-//! use basemesh::{BaseOptions, build};
-//! use glam::DVec3;
-//! use mesh_core::{FaceId, Topology};
-//! use region_map::{Cells, SheetNormals, Sizing, Surface};
-//! use segment_cvt::{CvtOptions, sample};
+//! use basemesh::{BaseOptions, decimate};
+//! use mesh_core::{FaceId, TriMesh};
+//! use region_map::{Sizing, Surface};
 //!
-//! let mesh = fixtures::cube(6);
-//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//! let network = features::detect(&mesh, &topology, &Default::default())?;
-//! let (segmentation, _) = segment_vsa::segment(&mesh, &topology, &network, &Default::default())?;
-//! let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
-//! let wanted = CvtOptions { base_vertices: 50, ..Default::default() };
-//! let sites = sample(&mesh, &cells, &Sizing::uniform(&mesh), &wanted)?.sites;
-//!
-//! let normals = SheetNormals::new(&mesh, &topology, &network);
-//! let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
+//! // A tetrahedron, its six edges creases; any mesh goes in like that.
+//! let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let mesh = TriMesh::from_slices(&positions, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])?;
+//! let surface = Surface::with_creases(mesh, 40.0)?;
 //! let options = BaseOptions { base_vertices: 50, ..Default::default() };
-//! let base = build(&surface, &cells, &sites, &Sizing::uniform(&mesh), &options)?;
-//! assert_eq!(base.mesh.n_vertices(), 50);
+//! let base = decimate(&surface, &Sizing::uniform(surface.mesh()), &options)?;
+//! assert_eq!(base.mesh().n_vertices(), 50);
 //!
-//! // The map: from a point of a base face to the cube, and back.
-//! let weights = DVec3::new(0.2, 0.3, 0.5);
-//! let point = base.locate(FaceId(0), weights);
-//! let (face, back) = base.map.find(point).unwrap();
+//! // The map: from a point of a base face to the surface, and back.
+//! let point = base.locate(FaceId(0), glam::DVec3::new(0.2, 0.3, 0.5));
+//! let (face, weights) = base.map.find(point).ok_or("every point is found")?;
 //! assert_eq!(face, base.map_faces[FaceId(0)]);
-//! assert!(back.distance(weights) < 1e-9);
+//! assert!(weights.distance(glam::DVec3::new(0.2, 0.3, 0.5)) < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arguments;
 mod assemble;
 mod bisect;
 mod build;

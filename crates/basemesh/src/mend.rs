@@ -1,10 +1,11 @@
 //! What would end in triangles without area: ears, and needles in a base mesh from elsewhere.
 
 use crate::BaseError;
+use crate::arguments::check_base;
 use crate::editor::Editor;
 use crate::shape::{flip_gain, is_ear};
 use mesh_core::VertexId;
-use region_map::{BaseCounts, BaseMesh, Surface};
+use region_map::{BaseMesh, Surface};
 
 /// A triangle of lower quality (AR) in a base mesh from elsewhere is a needle. Vertices that are off the surface can end up side by
 /// side on it (block's QEM base of 524 vertices: 2e-5 of a mean edge apart).
@@ -25,9 +26,11 @@ pub struct Mended {
 }
 
 /// Mends what would end in triangles without area, and nothing else: see [`Mended`].
-pub fn mend(surface: &Surface<'_>, base: BaseMesh) -> Result<(BaseMesh, Mended), BaseError> {
-    let counts = base.counts.clone();
-    let mut editor = Editor::new(surface, base)?;
+///
+/// Fails where the base mesh does not fit the surface.
+pub fn mend(surface: &Surface, base: BaseMesh) -> Result<(BaseMesh, Mended), BaseError> {
+    check_base(surface, &base)?;
+    let mut editor = Editor::new(surface, base);
     let mut mended = Mended::default();
     // A flip can leave the next ear of a row.
     for _ in 0..EAR_ROUNDS {
@@ -44,9 +47,7 @@ pub fn mend(surface: &Surface<'_>, base: BaseMesh) -> Result<(BaseMesh, Mended),
         crowded.dedup();
         mended.moved = mended.moved.max(crowded.into_iter().filter(|&v| editor.relax_vertex(v)).count());
     }
-    let mut base = editor.finish()?;
-    base.counts = BaseCounts { made: base.mesh.n_vertices(), ..counts };
-    Ok((base, mended))
+    Ok((editor.finish()?, mended))
 }
 
 /// Takes ears away: by a flip where that helps, else at a new vertex on the edge off the arcs, or where there is none (a disk inside a

@@ -1,19 +1,20 @@
 //! Edits that are chosen elsewhere.
 
 use crate::BaseError;
+use crate::arguments::check_base;
 use crate::editor::{Editor, Filling};
-use region_map::{BaseCounts, BaseEdit, BaseMesh, Surface};
+use region_map::{BaseEdit, BaseMesh, Surface};
 
 /// A base mesh under edits that are chosen elsewhere, and its map with it.
 pub struct Replay<'a> {
     editor: Editor<'a>,
-    counts: BaseCounts,
 }
 
 impl<'a> Replay<'a> {
-    /// Begins with a base mesh. Fails when it is not manifold.
-    pub fn new(surface: &'a Surface<'a>, base: BaseMesh) -> Result<Self, BaseError> {
-        Ok(Self { counts: base.counts.clone(), editor: Editor::new(surface, base)? })
+    /// Begins with a base mesh. Fails when it does not fit the surface.
+    pub fn new(surface: &'a Surface, base: BaseMesh) -> Result<Self, BaseError> {
+        check_base(surface, &base)?;
+        Ok(Self { editor: Editor::new(surface, base) })
     }
 
     /// Carries an edit out. False, changing nothing, where it does not fit the mesh, would leave no simplicial one, or a face that turns its
@@ -33,7 +34,6 @@ impl<'a> Replay<'a> {
 
     /// The base mesh as it is now. Vertices keep their order; the numbers of those taken away are closed.
     pub fn finish(self) -> Result<BaseMesh, BaseError> {
-        let base = self.editor.finish()?;
-        Ok(BaseMesh { counts: BaseCounts { made: base.mesh.n_vertices(), ..self.counts }, ..base })
+        self.editor.finish()
     }
 }

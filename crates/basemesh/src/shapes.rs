@@ -1,36 +1,26 @@
 //! Segmented shapes for the tests of this crate.
 
 use crate::{BaseOptions, build};
-use mesh_core::{FaceId, Topology, TriMesh};
-use region_map::{ArcKind, BaseMesh, Cells, Network, PatchId, Segmentation, SheetNormals, Sizing, Surface};
+use mesh_core::{FaceId, TriMesh};
+use region_map::{BaseMesh, Cells, PatchId, Segmentation, Sizing, Surface};
 use segment_cvt::{CvtOptions, sample};
 
-/// A mesh with its network and patches.
+/// A surface with its patches.
 pub(crate) struct Shape {
-    pub(crate) mesh: TriMesh,
-    pub(crate) topology: Topology,
-    pub(crate) network: Network,
+    pub(crate) surface: Surface,
     pub(crate) cells: Cells,
-    normals: SheetNormals,
 }
 
 impl Shape {
     /// Creases above 40 degrees; patches are the connected parts of equal labels.
     pub(crate) fn new(mesh: TriMesh, label: impl Fn(&TriMesh, FaceId) -> u32) -> Self {
-        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let kinds = ArcKind::by_angle(&mesh, &topology, 40.0);
-        let network = Network::trace(&mesh, &topology, &kinds, |_| false, Vec::new());
-        let same = |e| topology.edge_faces(e).1.is_some_and(|g| label(&mesh, topology.edge_faces(e).0) == label(&mesh, g));
-        let (patches, n_patches) = topology.regions(|e| kinds[e].is_none() && same(e));
+        let surface = Surface::with_creases(mesh, 40.0).unwrap();
+        let (mesh, topology) = (surface.mesh(), surface.topology());
+        let same = |e| topology.edge_faces(e).1.is_some_and(|g| label(mesh, topology.edge_faces(e).0) == label(mesh, g));
+        let (patches, n_patches) = topology.regions(|e| !surface.network().is_barrier(e) && same(e));
         let patch_of_face = patches.iter().map(|&p| PatchId(p)).collect();
-        let segmentation = Segmentation { patch_of_face, n_patches };
-        let cells = Cells::trace(&mesh, &topology, &network, &segmentation).unwrap();
-        let normals = SheetNormals::new(&mesh, &topology, &network);
-        Self { mesh, topology, network, cells, normals }
-    }
-
-    pub(crate) fn surface(&self) -> Surface<'_> {
-        Surface { mesh: &self.mesh, topology: &self.topology, network: &self.network, normals: &self.normals }
+        let cells = Cells::trace(&surface, &Segmentation { patch_of_face, n_patches }).unwrap();
+        Self { surface, cells }
     }
 
     pub(crate) fn cube() -> Self {
@@ -69,24 +59,24 @@ impl Shape {
 
     /// A base mesh of about `n` vertices that starts from about `n_sites` sites.
     pub(crate) fn base_from(&self, n_sites: usize, n: usize, rounds: usize) -> BaseMesh {
-        let sizing = Sizing::uniform(&self.mesh);
+        let sizing = Sizing::uniform(self.surface.mesh());
         let wanted = CvtOptions { base_vertices: n_sites, ..Default::default() };
-        let sampled = sample(&self.mesh, &self.cells, &sizing, &wanted).unwrap();
+        let sampled = sample(&self.surface, &self.cells, &sizing, &wanted).unwrap();
         let options = BaseOptions { base_vertices: n, rounds, ..Default::default() };
-        build(&self.surface(), &self.cells, &sampled.sites, &sizing, &options).unwrap()
+        build(&self.surface, &self.cells, &sampled.sites, &sizing, &options).unwrap()
     }
 
     /// Everything that a base mesh promises.
     pub(crate) fn check(&self, base: &BaseMesh) {
-        let topology = Topology::new(base.mesh.faces(), base.mesh.n_vertices()).unwrap();
-        assert_eq!(topology.euler(), self.topology.euler());
-        assert_eq!(topology.components().1, self.topology.components().1);
-        assert_eq!(topology.border_loops().len(), self.topology.border_loops().len());
-        base.region.check(&topology, &self.network).unwrap();
-        assert_simplicial(&base.mesh);
-        let kept: f64 = base.region.spans.values().map(|s| (s.to - s.from).abs()).sum();
-        assert!((kept - self.network.total_length()).abs() < 1e-9 * kept.max(1.0), "every arc lies on base edges");
-        let error = base.round_trip_error(&self.mesh, 200);
+        let (topology, working) = (&base.domain.topology, self.surface.topology());
+        assert_eq!(topology.euler(), working.euler());
+        assert_eq!(topology.components().1, working.components().1);
+        assert_eq!(topology.border_loops().len(), working.border_loops().len());
+        base.domain.check(self.surface.network()).unwrap();
+        assert_simplicial(base.mesh());
+        let kept: f64 = base.domain.region.spans.values().map(|s| (s.to - s.from).abs()).sum();
+        assert!((kept - self.surface.network().total_length()).abs() < 1e-9 * kept.max(1.0), "every arc lies on base edges");
+        let error = base.round_trip_error(self.surface.mesh(), 200);
         assert!(error <= 1e-9, "round trip is off by {error:e} of the diagonal");
     }
 }

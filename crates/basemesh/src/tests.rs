@@ -28,9 +28,8 @@ fn many_sites_coarsen_to_the_wanted_number_without_a_fold() {
     for (shape, n) in [(Shape::cube(), 40), (Shape::cylinder(), 40), (Shape::sphere(), 30), (Shape::torus(), 40)] {
         let base = shape.base_from(8 * n, n, 10);
         shape.check(&base);
-        assert_eq!(base.mesh.n_vertices(), n);
-        let surface = shape.surface();
-        let editor = Editor::new(&surface, base).unwrap();
+        assert_eq!(base.mesh().n_vertices(), n);
+        let editor = Editor::new(&shape.surface, base);
         assert!(editor.faces().into_iter().all(|f| !crate::shape::is_folded(&editor, f)));
     }
 }
@@ -38,8 +37,7 @@ fn many_sites_coarsen_to_the_wanted_number_without_a_fold() {
 #[test]
 fn sliding_evens_out_a_rim() {
     let shape = Shape::cylinder();
-    let surface = shape.surface();
-    let mut editor = Editor::new(&surface, shape.base(60, 0)).unwrap();
+    let mut editor = Editor::new(&shape.surface, shape.base(60, 0));
     let rim = |editor: &Editor<'_>| -> Vec<f64> {
         editor.edges().into_iter().filter_map(|[a, b]| editor.span(a, b)).map(|s| (s.to - s.from).abs()).collect()
     };
@@ -62,7 +60,7 @@ fn sliding_evens_out_a_rim() {
 fn a_box_of_twelve_triangles_needs_eight_vertices() {
     let shape = Shape::box_of_twelve();
     let base = shape.base(4, 0);
-    assert_eq!((base.mesh.n_vertices(), base.mesh.n_faces()), (8, 12));
+    assert_eq!((base.mesh().n_vertices(), base.mesh().n_faces()), (8, 12));
 }
 
 fn take_away(editor: &mut Editor<'_>, v: VertexId, filling: Filling<'_>) -> bool {
@@ -74,8 +72,7 @@ fn take_away(editor: &mut Editor<'_>, v: VertexId, filling: Filling<'_>) -> bool
 #[test]
 fn the_cheapest_filling_is_for_small_stars() {
     let shape = Shape::sphere();
-    let surface = shape.surface();
-    let mut editor = Editor::new(&surface, shape.base(40, 0)).unwrap();
+    let mut editor = Editor::new(&shape.surface, shape.base(40, 0));
     let v = editor.vertices()[0];
     // Halving the edges across from a vertex in turn gives it ever more neighbours.
     let star = |editor: &Editor<'_>| editor.faces().into_iter().filter(|f| f.contains(&v)).collect::<Vec<_>>();
@@ -91,8 +88,7 @@ fn the_cheapest_filling_is_for_small_stars() {
 
 /// Makes edits that bytes choose: which edge, and what to do with it.
 fn edit(shape: &Shape, base: BaseMesh, choices: &[(u16, u8)]) -> (BaseMesh, usize) {
-    let surface = shape.surface();
-    let mut editor = Editor::new(&surface, base).unwrap();
+    let mut editor = Editor::new(&shape.surface, base);
     let mut done = 0;
     for &(edge, what) in choices {
         let edges = editor.edges();
@@ -134,10 +130,9 @@ fn most_edits_of_a_sphere_are_possible() {
 #[test]
 fn edits_chosen_elsewhere_are_replayed() {
     for shape in [Shape::cylinder(), Shape::sphere(), Shape::torus()] {
-        let surface = shape.surface();
         let base = shape.base(60, 10);
-        let mut replay = Replay::new(&surface, base.clone()).unwrap();
-        let mut editor = Editor::new(&surface, base.clone()).unwrap();
+        let mut replay = Replay::new(&shape.surface, base.clone()).unwrap();
+        let mut editor = Editor::new(&shape.surface, base.clone());
         let (mut flips, mut removals) = (0, 0);
         for [a, b] in editor.edges().into_iter().step_by(7) {
             let flip = editor.is_edge(a, b) && editor.flip(a, b);
@@ -157,22 +152,20 @@ fn edits_chosen_elsewhere_are_replayed() {
         assert!(flips > 3 && removals > 2, "{flips} {removals}");
         let replayed = replay.finish().unwrap();
         shape.check(&replayed);
-        assert_eq!(replayed.counts.made, replayed.mesh.n_vertices());
-        assert_eq!(replayed.mesh, editor.finish().unwrap().mesh);
+        assert_eq!(*replayed.mesh(), editor.finish().unwrap().domain.mesh);
     }
 }
 
 #[test]
 fn edits_that_do_not_fit_are_refused() {
     let shape = Shape::cylinder();
-    let surface = shape.surface();
     let base = shape.base(60, 10);
-    let on_arc = *base.region.spans.keys().next().unwrap();
-    let mut replay = Replay::new(&surface, base.clone()).unwrap();
+    let on_arc = *base.domain.region.spans.keys().next().unwrap();
+    let mut replay = Replay::new(&shape.surface, base.clone()).unwrap();
     assert!(!replay.edit(&BaseEdit::Flip(on_arc)));
     assert!(!replay.edit(&BaseEdit::Remove { vertex: on_arc[0], filling: vec![] }));
     let unchanged = replay.finish().unwrap();
-    assert_eq!((unchanged.mesh, unchanged.map.n_edits()), (base.mesh, base.map.n_edits()));
+    assert_eq!((unchanged.mesh(), unchanged.map.n_edits()), (base.mesh(), base.map.n_edits()));
 }
 
 #[test]
@@ -181,8 +174,7 @@ fn no_base_triangle_is_an_ear() {
     let shape = Shape::cylinder();
     let base = shape.base(8, 10);
     shape.check(&base);
-    let surface = shape.surface();
-    let editor = Editor::new(&surface, base).unwrap();
+    let editor = Editor::new(&shape.surface, base);
     assert!(editor.faces().into_iter().all(|f| !crate::shape::is_ear(&editor, f)));
 }
 
@@ -190,15 +182,15 @@ fn no_base_triangle_is_an_ear() {
 fn bisections_keep_all_promises_and_places() {
     for shape in [Shape::cube(), Shape::cylinder(), Shape::sphere(), Shape::torus()] {
         let base = shape.base(40, 10);
-        let n = base.mesh.n_vertices();
-        let [a, b, c] = base.mesh.faces()[FaceId(0)];
+        let n = base.mesh().n_vertices();
+        let [a, b, c] = base.mesh().faces()[FaceId(0)];
         // The second edge is a half of the first.
         let edges = [[a, b], [a, VertexId::new(n)], [b, c]];
-        let bisected = crate::bisect(&shape.surface(), base.clone(), &edges).unwrap();
+        let bisected = crate::bisect(&shape.surface, base.clone(), &edges).unwrap();
         shape.check(&bisected);
-        assert_eq!((bisected.mesh.n_vertices(), bisected.counts.made), (n + 3, n + 3));
-        assert!(base.mesh.positions().enumerate().all(|(v, p)| bisected.mesh.position(v) == *p));
-        let gone = crate::bisect(&shape.surface(), base, &[[a, b], [a, b]]);
+        assert_eq!(bisected.mesh().n_vertices(), n + 3);
+        assert!(base.mesh().positions().enumerate().all(|(v, p)| bisected.mesh().position(v) == *p));
+        let gone = crate::bisect(&shape.surface, base, &[[a, b], [a, b]]);
         assert!(gone.is_err(), "an edge is bisected once");
     }
 }

@@ -174,14 +174,22 @@ impl BaseMap {
     pub fn n_edits(&self) -> usize {
         self.edits.len()
     }
+    /// True for a face that is there and that no edit has taken away.
+    pub fn is_present(&self, face: MapFaceId) -> bool {
+        self.faces.get(face).is_some_and(|f| f.replaced_by.is_none())
+    }
+    /// True where the charts only have pieces of faces that a working mesh has.
+    pub fn is_of(&self, working: &TriMesh) -> bool {
+        self.by_source.last().is_none_or(|(f, _)| f.index() < working.n_faces())
+    }
 
     /// Replaces faces, laid out flat, by new triangles of the same polygon. Fails, changing nothing, when one is folded, the
-    /// areas differ, or a face was replaced before.
+    /// areas differ, or a face is not there (any more).
     pub fn replace(&mut self, old: &[(MapFaceId, [DVec2; 3])], new: &[[DVec2; 3]]) -> Result<Vec<MapFaceId>, MapError> {
         let before = unfolded_area(old.iter().map(|o| &o.1)).ok_or(MapError::Uncovered)?;
         let after = unfolded_area(new).ok_or(MapError::Uncovered)?;
         // Layouts are of unit scale and have few triangles: rounding is far below this.
-        if (before - after).abs() > 1e-9 * before || old.iter().any(|(f, _)| self.faces[*f].replaced_by.is_some()) {
+        if (before - after).abs() > 1e-9 * before || old.iter().any(|(f, _)| !self.is_present(*f)) {
             return Err(MapError::Uncovered);
         }
         let edit = self.edits.len();

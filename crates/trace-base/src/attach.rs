@@ -6,7 +6,7 @@ use crate::TraceError;
 use crate::follow::{Followed, Stop};
 use crate::foreign::Foreign;
 use mesh_core::{EdgeId, FaceId, Id as _, IdVec, Topology, TriMesh, VertexId};
-use region_map::{Arc, ArcId, ArcKind, CornerId, Network, SheetId};
+use region_map::{Arc, ArcId, ArcKind, CornerId, Network, NetworkError, SheetId, SurfaceError};
 use rustc_hash::FxHashSet;
 
 /// A network that the base mesh follows, and how.
@@ -31,7 +31,7 @@ struct Misfit {
 pub(crate) fn attach(mesh: &TriMesh, topology: &Topology, network: &Network, base: &Foreign) -> Result<Attached, TraceError> {
     let mut wanted = Wanted::new(topology, network);
     loop {
-        let network = wanted.network(mesh, topology);
+        let network = wanted.network(mesh, topology).map_err(SurfaceError::from)?;
         match fit(mesh, topology, &network, base) {
             Ok(Fit { corners, chains, sheet_of_face }) => return Ok(Attached { network, corners, chains, sheet_of_face }),
             Err(misfit) => {
@@ -57,7 +57,7 @@ impl Wanted {
         Self { kinds, is_corner, minor: network.minor.clone() }
     }
 
-    fn network(&self, mesh: &TriMesh, topology: &Topology) -> Network {
+    fn network(&self, mesh: &TriMesh, topology: &Topology) -> Result<Network, NetworkError> {
         Network::trace(mesh, topology, &self.kinds, |v| self.is_corner[v], self.minor.clone())
     }
 

@@ -6,7 +6,7 @@ use mesh_core::{FaceId, VertexId};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TraceError {
     /// It is not an oriented manifold.
-    #[error("the base mesh is not an oriented manifold ({0}); repair it, or leave --base out")]
+    #[error("the base mesh is not an oriented manifold ({0}); repair it")]
     NotManifold(#[from] mesh_core::TopologyError),
     /// It has another topology than the surface.
     #[error("the base mesh has {base}, but the input has {surface}; give a base mesh of the same topology")]
@@ -28,6 +28,9 @@ pub enum TraceError {
     /// A coordinate is not finite.
     #[error(transparent)]
     Mesh(#[from] mesh_core::MeshError),
+    /// The network that is left is of another mesh: a bug of ours.
+    #[error("internal error: {0}; please report this with both files")]
+    Network(#[from] region_map::SurfaceError),
 }
 
 /// Why the edges of a base mesh could not be traced; it then has no map.
@@ -39,9 +42,12 @@ pub enum Untraced {
     /// The paths round a face do not bound a disk.
     #[error("the traced edges of base face {0} do not bound a disk")]
     Face(FaceId),
-    /// What was to be traced is no mesh: a bug of ours.
-    #[error("internal error: the base mesh is not a manifold with finite positions; please report this")]
-    NoMesh,
+    /// A base mesh to be traced anew is not of this surface, or contradicts itself.
+    #[error("the base mesh is not of this surface, or contradicts itself")]
+    OtherSurface,
+    /// A base vertex has come to a place that is not finite: a bug of ours.
+    #[error("internal error: a base vertex is at no finite place; please report this")]
+    NotFinite,
     /// The region of a face is too long or too winding to be laid flat.
     #[error("the region of base face {0} cannot be laid flat")]
     Chart(FaceId),

@@ -9,18 +9,17 @@
 //! to where this map has the edges, and the map without a history that comes of it is exact to rounding.
 //!
 //! ```
-//! use mesh_core::{FaceId, Topology};
+//! use mesh_core::FaceId;
+//! use region_map::Surface;
+//! use trace_base::{TracedBase, trace};
 //!
 //! // A cube of 768 triangles, and one of 12 for its base mesh.
-//! let (mesh, base) = (fixtures::cube(8), fixtures::cube(1));
-//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//! let network = features::detect(&mesh, &topology, &Default::default())?;
-//! let traced = trace_base::trace(&mesh, &topology, &network, &base)?;
-//! assert_eq!(traced.untraced, None);
-//! assert_eq!((traced.network.corners.len(), traced.base.map.charts().len()), (8, 12));
-//! let point = traced.base.locate(FaceId(5), glam::DVec3::ONE / 3.0);
-//! let there = (point.position(&mesh), mesh.normal(point.face));
-//! assert!((there.0 - base.centroid(FaceId(5))).dot(there.1).abs() < 1e-9);
+//! let surface = Surface::with_creases(fixtures::cube(8), 40.0)?;
+//! let traced = trace(&surface, &fixtures::cube(1))?;
+//! let TracedBase::Mapped(base) = &traced.base else { return Err("no map".into()) };
+//! assert_eq!((traced.surface.network().corners.len(), base.map.charts().len()), (8, 12));
+//! let point = base.locate(FaceId(5), glam::DVec3::ONE / 3.0).position(surface.mesh());
+//! assert!(point.distance(base.mesh().centroid(FaceId(5))) < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -40,4 +39,4 @@ mod tracer;
 
 pub use error::{TraceError, Untraced};
 pub use retrace::retrace;
-pub use trace::{Traced, trace};
+pub use trace::{Traced, TracedBase, trace};

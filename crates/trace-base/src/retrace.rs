@@ -4,9 +4,9 @@ use crate::Untraced;
 use crate::follow::Stop;
 use crate::tracer::Tied;
 use glam::DVec3;
-use mesh_core::{EdgeId, Id as _, IdVec, Topology, TriMesh, VertexId};
+use mesh_core::{EdgeId, Id as _, IdVec, TriMesh, VertexId};
 use rayon::prelude::*;
-use region_map::{ArcId, Attachment, BaseMesh, CornerId, MapFaceId, Network, RegionMap, Surface};
+use region_map::{ArcId, Attachment, BaseMesh, CornerId, Domain, MapFaceId, Network, RegionMap, Surface};
 
 /// So many steps are made along a base edge to see where the present map has it.
 const SAMPLES: usize = 12;
@@ -18,25 +18,36 @@ const SAMPLES: usize = 12;
 /// has no edits, so its round trips are exact to rounding. Vertices, edges and faces stay what and where they are; a vertex inside a
 /// sheet and very near to a working vertex or edge is put there.
 ///
-/// `base` must fit the surface (`RegionMap::check`). Fails where an edge is shut out by others, or a face cannot be laid flat; the
+/// Fails where the base mesh does not fit the surface, where an edge is shut out by others, and where a face cannot be laid flat; the
 /// present map is still good then.
-pub fn retrace(surface: &Surface<'_>, base: &BaseMesh) -> Result<BaseMesh, Untraced> {
-    let topology = Topology::new(base.mesh.faces(), base.mesh.n_vertices()).map_err(|_| Untraced::NoMesh)?;
+pub fn retrace(surface: &Surface, base: &BaseMesh) -> Result<BaseMesh, Untraced> {
+    let Domain { mesh, topology, region } = &base.domain;
+    check(surface, base)?;
     let tied = Tied {
-        mesh: surface.mesh,
-        network: surface.network,
-        base: &base.mesh,
-        topology: &topology,
-        corners: &corners(surface.network, &base.region),
-        chains: &chains(surface.network, &base.region),
-        via: via(surface.mesh, &topology, base),
+        mesh: surface.mesh(),
+        network: surface.network(),
+        base: mesh,
+        topology,
+        corners: &corners(surface.network(), region),
+        chains: &chains(surface.network(), region),
+        via: via(surface.mesh(), base),
     };
-    let mut region = base.region.clone();
+    let mut region = region.clone();
     let map = tied.map(&mut region)?;
-    let positions = region.points.iter().map(|p| p.position(surface.mesh)).collect();
-    let mesh = base.mesh.with_positions(positions).map_err(|_| Untraced::NoMesh)?;
+    let domain = base.domain.placed(surface, region).map_err(|_| Untraced::NotFinite)?;
     let map_faces = (0..mesh.n_faces()).map(MapFaceId::new).collect();
-    Ok(BaseMesh { mesh, region, map, map_faces, counts: base.counts.clone() })
+    Ok(BaseMesh { domain, map, map_faces })
+}
+
+/// A base mesh is one of the surface, and its map leads onto it.
+fn check(surface: &Surface, base: &BaseMesh) -> Result<(), Untraced> {
+    let Domain { mesh, topology, .. } = &base.domain;
+    let fits = base.domain.check(surface.network()).is_ok()
+        && mesh.faces() == topology.faces()
+        && base.map_faces.len() == mesh.n_faces()
+        && base.map_faces.iter().all(|&f| base.map.is_present(f))
+        && base.map.is_of(surface.mesh());
+    fits.then_some(()).ok_or(Untraced::OtherSurface)
 }
 
 /// The base vertex at every corner.
@@ -70,11 +81,12 @@ fn chains(network: &Network, region: &RegionMap) -> IdVec<ArcId, Vec<Stop>> {
     steps.iter_mut().map(chain).collect()
 }
 
-/// Where the present map has every edge that is on no arc; nowhere without a map.
-fn via(mesh: &TriMesh, topology: &Topology, base: &BaseMesh) -> IdVec<EdgeId, Vec<DVec3>> {
+/// Where the present map has every edge that is on no arc.
+fn via(mesh: &TriMesh, base: &BaseMesh) -> IdVec<EdgeId, Vec<DVec3>> {
+    let Domain { topology, region, .. } = &base.domain;
     let along = |e: EdgeId| {
         let [a, b] = topology.ends(e);
-        if base.region.span(a, b).is_some() || base.map.charts().is_empty() {
+        if region.span(a, b).is_some() {
             return Vec::new();
         }
         let h = topology.halfedge(e);

@@ -5,27 +5,51 @@ use crate::foreign::Foreign;
 use crate::place::region_map;
 use crate::tracer::Tied;
 use crate::{TraceError, Untraced};
-use mesh_core::{Id as _, IdVec, Topology, TriMesh};
-use region_map::{BaseCounts, BaseMap, BaseMesh, MapFaceId, Network};
+use mesh_core::{Id as _, IdVec, TriMesh};
+use region_map::{BaseMesh, Domain, MapFaceId, Surface};
+use std::sync::Arc as Shared;
 
 /// A base mesh from elsewhere, tied to a surface.
 #[derive(Clone, Debug)]
 pub struct Traced {
-    /// What of the network the base mesh follows. Creases that it does not are minor now.
-    pub network: Network,
-    /// The base mesh, its vertices on the surface, its faces in the order that they came in. Without charts where it has no map.
-    pub base: BaseMesh,
-    /// Why it has no map.
-    pub untraced: Option<Untraced>,
+    /// The surface with what of its network the base mesh follows. Creases that it does not are minor now.
+    pub surface: Surface,
+    /// The base mesh, its vertices on the surface, its faces in the order that they came in.
+    pub base: TracedBase,
+}
+
+/// A base mesh with or without a map.
+#[derive(Clone, Debug)]
+pub enum TracedBase {
+    /// All edges are traced.
+    Mapped(BaseMesh),
+    /// Some edges could not be traced: its subdivisions can only be projected by rays.
+    Unmapped {
+        /// The base mesh over the surface.
+        domain: Domain,
+        /// Why it has no map.
+        reason: Untraced,
+    },
+}
+
+impl TracedBase {
+    /// The base mesh over the surface, with a map or without.
+    pub fn domain(&self) -> &Domain {
+        match self {
+            Self::Mapped(base) => &base.domain,
+            Self::Unmapped { domain, .. } => domain,
+        }
+    }
 }
 
 /// Ties a base mesh to a surface: puts its vertices on corners, arcs and sheets, and traces its edges as paths that do not cross.
 ///
 /// The order of vertices and faces stays; components that face inwards are turned round. Where the edges cannot be traced, the base
-/// mesh has no map, and its subdivisions can only be projected by rays.
-pub fn trace(mesh: &TriMesh, topology: &Topology, network: &Network, base: &TriMesh) -> Result<Traced, TraceError> {
+/// mesh has no map.
+pub fn trace(surface: &Surface, base: &TriMesh) -> Result<Traced, TraceError> {
+    let (mesh, topology) = (surface.mesh(), surface.topology());
     let foreign = Foreign::new(mesh, topology, base)?;
-    let attached = attach(mesh, topology, network, &foreign)?;
+    let attached = attach(mesh, topology, surface.network(), &foreign)?;
     let mut region = region_map(mesh, topology, &foreign, &attached);
     region.check(&foreign.topology, &attached.network)?;
     let tied = Tied {
@@ -37,18 +61,13 @@ pub fn trace(mesh: &TriMesh, topology: &Topology, network: &Network, base: &TriM
         chains: &attached.chains,
         via: IdVec::filled(Vec::new(), foreign.topology.n_edges()),
     };
-    let (map, untraced) = match tied.map(&mut region) {
-        Ok(map) => (map, None),
-        Err(untraced) => (BaseMap::new(IdVec::new(), &[]), Some(untraced)),
-    };
+    let map = tied.map(&mut region);
     let positions = region.points.iter().map(|p| p.position(mesh)).collect();
-    let n = base.n_vertices();
-    let base = BaseMesh {
-        mesh: foreign.mesh.with_positions(positions)?,
-        region,
-        map,
-        map_faces: (0..base.n_faces()).map(MapFaceId::new).collect(),
-        counts: BaseCounts { asked: n, needed: n, made: n, reason: String::new() },
+    let domain = Domain { mesh: foreign.mesh.with_positions(positions)?, topology: Shared::new(foreign.topology), region };
+    let map_faces = (0..base.n_faces()).map(MapFaceId::new).collect();
+    let base = match map {
+        Ok(map) => TracedBase::Mapped(BaseMesh { domain, map, map_faces }),
+        Err(reason) => TracedBase::Unmapped { domain, reason },
     };
-    Ok(Traced { network: attached.network, base, untraced })
+    Ok(Traced { surface: surface.with_network(attached.network)?, base })
 }

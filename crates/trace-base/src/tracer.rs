@@ -58,7 +58,7 @@ impl Tied<'_> {
 
     fn edges_of(&self, untraced: Untraced) -> Vec<EdgeId> {
         let ends = match untraced {
-            Untraced::NoMesh => vec![],
+            Untraced::OtherSurface | Untraced::NotFinite => vec![],
             Untraced::Edge(a, b) => vec![[a, b]],
             Untraced::Face(f) | Untraced::Chart(f) => {
                 let [a, b, c] = self.base.face(f);

@@ -44,7 +44,7 @@ impl Editor<'_> {
             return false;
         }
         let Some(point) = self.point_in_star(&ring, &old_star, centroid, v) else { return false };
-        let to = point.position(self.surface.mesh);
+        let to = point.position(self.surface.mesh());
         let worst = |at: DVec3| {
             let quality = |f: Face| signed_quality(f.vertices.map(|w| if w == v { at } else { self.positions[w] }), f.normal);
             self.faces_at(v).map(quality).fold(f64::INFINITY, f64::min)
@@ -72,10 +72,10 @@ impl Editor<'_> {
         let sides = sides.into_iter().filter_map(|(first, last, gaps)| Some((side_between(&ring, first, last)?, gaps)));
         let edits: Option<Vec<_>> = sides.map(|(side, gaps)| self.slide_edit(v, &side, gaps, slide)).collect();
         let Some(edits) = edits else { return false };
-        let arc = &self.surface.network.arcs[rail.arc];
+        let arc = &self.surface.network().arcs[rail.arc];
         let t = arc.normalise(rail.t + slide);
-        let point = arc.point(self.surface.topology, t);
-        let to = point.position(self.surface.mesh);
+        let point = arc.point(self.surface.topology(), t);
+        let to = point.position(self.surface.mesh());
         if !self.replace(&edits, Some((v, to))) {
             return false;
         }
@@ -97,7 +97,7 @@ impl Editor<'_> {
 
     /// How far along its arc a vertex should slide; `None` where that gains too little.
     fn best_slide(&self, v: VertexId, rail: &Rail) -> Option<f64> {
-        let arc = &self.surface.network.arcs[rail.arc];
+        let arc = &self.surface.network().arcs[rail.arc];
         let cost = |place: DVec3| -> f64 {
             let shape =
                 |f: Face| inverse_mean_ratio(f.vertices.map(|x| if x == v { place } else { self.positions[x] }), f.normal);
@@ -105,7 +105,7 @@ impl Editor<'_> {
         };
         let [(_, gap_u), (_, gap_w)] = rail.ends;
         let slides = SLIDES.iter().map(|share| gap_w + share * (gap_u - gap_w));
-        let costs = slides.map(|slide| (cost(arc.position(self.surface.mesh, arc.normalise(rail.t + slide))), slide));
+        let costs = slides.map(|slide| (cost(arc.position(self.surface.mesh(), arc.normalise(rail.t + slide))), slide));
         let (least, slide) = costs.min_by(|a, b| a.0.total_cmp(&b.0))?;
         (least < (1.0 - LEAST_SLIDE_GAIN) * cost(self.positions[v])).then_some(slide)
     }

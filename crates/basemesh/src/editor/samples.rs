@@ -28,8 +28,8 @@ pub(crate) struct Samples(Arc<Vec<(DVec3, f64)>>);
 
 impl Samples {
     /// The samples of a working mesh, and those in each face of the map.
-    pub(crate) fn new(surface: &Surface<'_>, map: &BaseMap, n_map_faces: usize) -> (Self, IdVec<MapFaceId, Vec<Placed>>) {
-        let mesh = surface.mesh;
+    pub(crate) fn new(surface: &Surface, map: &BaseMap, n_map_faces: usize) -> (Self, IdVec<MapFaceId, Vec<Placed>>) {
+        let mesh = surface.mesh();
         let mut content = IdVec::filled(Vec::new(), n_map_faces);
         let mut samples = Vec::with_capacity(mesh.n_faces());
         for f in mesh.faces().ids() {
@@ -37,7 +37,7 @@ impl Samples {
             if let Some((face, at)) = map.find(middle) {
                 content[face].push(Placed { sample: f.0, at });
             }
-            samples.push((surface.normals.at(middle), mesh.area(f)));
+            samples.push((surface.normals().at(middle), mesh.area(f)));
         }
         (Self(Arc::new(samples)), content)
     }
