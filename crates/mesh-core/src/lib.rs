@@ -27,6 +27,8 @@ mod filling;
 mod id;
 mod inspect;
 mod interrupt;
+mod leaving;
+mod limits;
 mod measure;
 mod partition;
 mod surface_index;

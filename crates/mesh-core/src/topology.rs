@@ -2,8 +2,9 @@
 //!
 //! Halfedges are implicit: `3 * face + corner`. A halfedge runs from its corner to the next one of its face.
 
-use crate::{EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
-use rustc_hash::FxHashMap;
+use crate::leaving::Leaving;
+use crate::limits::{MOST_FACES, MOST_VERTICES};
+use crate::{EdgeId, FaceId, HalfedgeId, IdVec, VertexId};
 use std::collections::BTreeSet;
 
 /// Why faces are not an oriented manifold.
@@ -15,6 +16,29 @@ pub enum TopologyError {
     /// The faces around a vertex form more than one fan.
     #[error("the faces around vertex {0} form more than one fan; clean the mesh first")]
     VertexNotManifold(VertexId),
+    /// A face names a vertex that is not there.
+    #[error("face {face} refers to vertex {vertex}, but there are only {vertices}; clean the mesh first")]
+    IndexOutOfRange {
+        /// The face.
+        face: FaceId,
+        /// The vertex that it names.
+        vertex: VertexId,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// A face has the same vertex twice.
+    #[error("face {0} uses vertex {1} twice; clean the mesh first")]
+    RepeatedVertex(FaceId, VertexId),
+    /// There are more vertices or faces than ids of 32 bits can tell apart.
+    #[error(
+        "{vertices} vertices and {faces} faces are more than a mesh can have ({MOST_VERTICES} and {MOST_FACES}); simplify it"
+    )]
+    TooLarge {
+        /// Number of vertices.
+        vertices: usize,
+        /// Number of faces.
+        faces: usize,
+    },
 }
 
 /// Twins, edges and fans of an oriented manifold.
@@ -28,26 +52,11 @@ pub struct Topology {
 }
 
 impl Topology {
-    /// Connects the faces. Edges are numbered in the order of their first halfedge.
+    /// Connects the faces of `n_vertices` vertices. Edges are numbered in the order of their first halfedge.
     pub fn new(faces: &IdVec<FaceId, [VertexId; 3]>, n_vertices: usize) -> Result<Self, TopologyError> {
-        let n_halfedges = 3 * faces.len();
-        let mut by_ends: FxHashMap<[VertexId; 2], HalfedgeId> = FxHashMap::default();
-        by_ends.reserve(n_halfedges);
-        for (f, v) in faces.enumerate() {
-            for c in 0..3 {
-                let h = HalfedgeId::of(f, c);
-                if let Some(other) = by_ends.insert([v[c], v[(c + 1) % 3]], h) {
-                    return Err(TopologyError::DirectedEdgeTwice(other.face(), f));
-                }
-            }
-        }
-        let twins: IdVec<HalfedgeId, _> = (0..n_halfedges)
-            .map(|i| {
-                let h = HalfedgeId::new(i);
-                let v = faces[h.face()];
-                by_ends.get(&[v[(h.corner() + 1) % 3], v[h.corner()]]).copied()
-            })
-            .collect();
+        check_faces(faces, n_vertices)?;
+        let twins = twins(faces, n_vertices)?;
+        let n_halfedges = twins.len();
         let mut edge_of = IdVec::filled(EdgeId(u32::MAX), n_halfedges);
         let mut edges = IdVec::new();
         for h in twins.ids() {
@@ -207,9 +216,10 @@ impl Topology {
         (region, count as usize)
     }
 
-    /// Some faces, sorted into clusters: faces with a common vertex are in one. In the order of their first faces.
+    /// Some faces, sorted into clusters: faces with a common vertex are in one. In the order of their first faces. Faces that are
+    /// not there are left out.
     pub fn clusters(&self, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
-        let mut left: BTreeSet<FaceId> = faces.iter().copied().collect();
+        let mut left: BTreeSet<FaceId> = faces.iter().copied().filter(|&f| self.faces.get(f).is_some()).collect();
         let mut clusters = Vec::new();
         while let Some(first) = left.pop_first() {
             let mut cluster = vec![first];
@@ -233,11 +243,11 @@ impl Topology {
                 continue;
             }
             let mut border = Vec::new();
-            let mut h = start;
-            while !seen[h] {
+            let mut next = Some(start);
+            while let Some(h) = next.filter(|&h| !seen[h]) {
                 seen[h] = true;
                 border.push(h);
-                h = self.outgoing[self.to(h)].expect("a border vertex has faces");
+                next = self.outgoing[self.to(h)];
             }
             loops.push(border);
         }
@@ -255,6 +265,34 @@ impl Topology {
         let (_, components) = self.components();
         (2 * components as i64 - self.border_loops().len() as i64 - self.euler()) / 2
     }
+}
+
+fn check_faces(faces: &IdVec<FaceId, [VertexId; 3]>, n_vertices: usize) -> Result<(), TopologyError> {
+    if n_vertices > MOST_VERTICES || faces.len() > MOST_FACES {
+        return Err(TopologyError::TooLarge { vertices: n_vertices, faces: faces.len() });
+    }
+    for (face, v) in faces.enumerate() {
+        if let Some(&vertex) = v.iter().find(|v| v.0 as usize >= n_vertices) {
+            return Err(TopologyError::IndexOutOfRange { face, vertex, vertices: n_vertices });
+        }
+        if let Some(c) = (0..3).find(|&c| v[c] == v[(c + 1) % 3]) {
+            return Err(TopologyError::RepeatedVertex(face, v[c]));
+        }
+    }
+    Ok(())
+}
+
+/// The other halfedge of every edge.
+fn twins(
+    faces: &IdVec<FaceId, [VertexId; 3]>,
+    n_vertices: usize,
+) -> Result<IdVec<HalfedgeId, Option<HalfedgeId>>, TopologyError> {
+    let leaving = Leaving::of(faces, n_vertices);
+    if let Some([first, second]) = leaving.first_repeated() {
+        return Err(TopologyError::DirectedEdgeTwice(first.face(), second.face()));
+    }
+    let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    Ok(sides.map(|[from, to]| leaving.find(to, from)).collect())
 }
 
 /// For every vertex the outgoing halfedge that its fan starts at: the one on the border where there is one.
@@ -336,5 +374,23 @@ mod tests {
         assert_eq!(book.unwrap_err(), TopologyError::DirectedEdgeTwice(FaceId(0), FaceId(2)));
         let bow_tie = topology(&[[0, 1, 2], [0, 3, 4]]);
         assert_eq!(bow_tie.unwrap_err(), TopologyError::VertexNotManifold(VertexId(0)));
+        // The first halfedge that repeats another counts, not the first that is repeated.
+        let twice = topology(&[[0, 1, 2], [3, 4, 5], [4, 5, 6], [0, 1, 7]]);
+        assert_eq!(twice.unwrap_err(), TopologyError::DirectedEdgeTwice(FaceId(1), FaceId(2)));
+    }
+
+    #[test]
+    fn faces_of_no_mesh_are_refused() {
+        let of = |faces: &[[u32; 3]], n| Topology::new(&faces.iter().map(|f| f.map(VertexId)).collect(), n).unwrap_err();
+        let out_of_range = TopologyError::IndexOutOfRange { face: FaceId(1), vertex: VertexId(9), vertices: 9 };
+        assert_eq!(of(&[[0, 1, 2], [0, 2, 9]], 9), out_of_range);
+        assert_eq!(of(&[[0, 1, 2], [5, 3, 5]], 9), TopologyError::RepeatedVertex(FaceId(1), VertexId(5)));
+        assert_eq!(of(&[], MOST_VERTICES + 1), TopologyError::TooLarge { vertices: MOST_VERTICES + 1, faces: 0 });
+    }
+
+    #[test]
+    fn clusters_of_faces_that_are_not_there_are_none() {
+        let t = topology(&TETRAHEDRON).unwrap();
+        assert_eq!(t.clusters(&[FaceId(9), FaceId(u32::MAX), FaceId(2)]), [[FaceId(2)]]);
     }
 }

@@ -1,5 +1,6 @@
 //! [`TriMesh`], checked once at construction, and [`Soup`], what a file holds before any check.
 
+use crate::limits::{MOST_FACES, MOST_VERTICES};
 use crate::{FaceId, IdVec, VertexId};
 use glam::DVec3;
 
@@ -67,11 +68,6 @@ pub enum MeshError {
         faces: usize,
     },
 }
-
-/// The most vertices of a mesh: their ids have 32 bits, and the greatest one stands for none.
-pub(crate) const MOST_VERTICES: usize = u32::MAX as usize;
-/// The most faces of a mesh: the ids of their three halfedges have 32 bits, and the greatest one stands for none.
-pub(crate) const MOST_FACES: usize = MOST_VERTICES / 3;
 
 /// Fails where ids of 32 bits are not enough.
 fn check_size(vertices: usize, faces: usize) -> Result<(), MeshError> {
