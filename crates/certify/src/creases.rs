@@ -6,7 +6,6 @@ use crate::sampling;
 use crate::weld::Welded;
 use glam::DVec3;
 use mesh_core::{SurfaceIndex, TriMesh, VertexId};
-use rayon::prelude::*;
 
 /// An edge of the original is a crease when its dihedral angle is greater, degrees. This and the three figures below are those
 /// of the judge that ours must agree with.
@@ -86,7 +85,7 @@ fn dihedral(mesh: &TriMesh, sides: &[Side]) -> Option<f64> {
 /// Distances from points to the nearest segment over `unit`; `None` without segments.
 fn distances(points: &[DVec3], segments: &[[DVec3; 2]], unit: f64) -> Option<Vec<f64>> {
     let index = segment_index(segments)?;
-    points.par_iter().map(|&p| index.closest(p).map(|c| c.distance / unit)).collect()
+    index.closest_of_each(points).into_iter().map(|c| c.map(|c| c.distance / unit)).collect()
 }
 
 /// Segments as triangles without area, which a surface index takes as what they are.

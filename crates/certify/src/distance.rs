@@ -3,7 +3,6 @@
 
 use glam::DVec3;
 use mesh_core::SurfaceIndex;
-use rayon::prelude::*;
 
 /// Samples on each of the two surfaces by default: the number of the libigl based judge that these figures are compared with.
 /// The mean then has a sampling error of well under 1 %.
@@ -58,7 +57,7 @@ pub(crate) fn one_way(samples: &[DVec3], vertices: &[DVec3], to: &SurfaceIndex, 
 }
 
 fn distances(points: &[DVec3], to: &SurfaceIndex, unit: f64) -> Vec<f64> {
-    points.par_iter().map(|&p| to.closest(p).map_or(f64::INFINITY, |c| c.distance / unit)).collect()
+    to.closest_of_each(points).into_iter().map(|c| c.map_or(f64::INFINITY, |c| c.distance / unit)).collect()
 }
 
 #[cfg(test)]

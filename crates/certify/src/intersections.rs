@@ -1,10 +1,10 @@
 //! Which triangles of a surface run into each other? Exact, as CGAL's `self_intersections` defines it: two faces intersect when
 //! they meet in more than an edge or a corner that both have.
 
-use crate::triangle_pair::{Triangle, meet_beyond_corner, meet_beyond_edge, triangles_meet};
+use crate::apart::Triangle;
+use crate::triangle_pair::{meet_beyond_corner, meet_beyond_edge, triangles_meet};
 use crate::weld::first_at_position;
-use mesh_core::{Bounds, FaceId, IdVec, SurfaceIndex, TriMesh, VertexId, exact};
-use rayon::prelude::*;
+use mesh_core::{FaceId, IdVec, SurfaceIndex, TriMesh, VertexId, exact};
 
 /// The faces of a mesh that intersect others, in rising order. Corners at the same position are the same; faces that are exactly
 /// degenerate are left out.
@@ -23,27 +23,27 @@ pub(crate) fn among(mesh: &TriMesh, index: &SurfaceIndex) -> Vec<FaceId> {
             exact::collinear(a, b, c)
         })
         .collect();
-    let faces: Vec<FaceId> = corners.ids().filter(|&f| !degenerate[f]).collect();
-    // The first partner is enough: in a crumpled surface every face meets thousands.
-    let meets_another = |f: FaceId| {
-        let meets = |g: FaceId| g != f && !degenerate[g] && intersect(mesh, &corners, f, g);
-        Bounds::of(mesh.triangle(f)).is_some_and(|bounds| index.any_in_box(&bounds, meets))
-    };
-    faces.into_par_iter().filter(|&f| meets_another(f)).collect()
+    index.faces_that_meet(|faces, triangles| {
+        !faces.iter().any(|&f| degenerate[f]) && intersect(faces.map(|f| corners[f]), triangles)
+    })
 }
 
-fn intersect(mesh: &TriMesh, corners: &IdVec<FaceId, [VertexId; 3]>, f: FaceId, g: FaceId) -> bool {
-    // Corners of the triangle from corner `c` on.
-    let from = |f: FaceId, c: usize| -> Triangle { [0, 1, 2].map(|k| mesh.triangle(f)[(c + k) % 3]) };
-    let shared = |f: FaceId, g: FaceId| [0, 1, 2].map(|c| corners[g].contains(&corners[f][c]));
+/// Whether two faces meet in more than what they share, by the ids of their corners and their positions.
+fn intersect([f, g]: [[VertexId; 3]; 2], [t, u]: [&Triangle; 2]) -> bool {
+    let shared = |f: [VertexId; 3], g: [VertexId; 3]| f.map(|v| g.contains(&v));
     let (in_f, in_g) = (shared(f, g), shared(g, f));
     let corner = |shared: [bool; 3], wanted: bool| (0..3).find(|&c| shared[c] == wanted).unwrap_or(0);
     match in_f.into_iter().filter(|s| *s).count() {
-        0 => triangles_meet(from(f, 0), from(g, 0)),
-        1 => meet_beyond_corner(from(f, corner(in_f, true)), from(g, corner(in_g, true))),
-        2 => meet_beyond_edge(from(f, corner(in_f, false) + 1), from(g, corner(in_g, false))[0]),
+        0 => triangles_meet(*t, *u),
+        1 => meet_beyond_corner(from(t, corner(in_f, true)), from(u, corner(in_g, true))),
+        2 => meet_beyond_edge(from(t, corner(in_f, false) + 1), u[corner(in_g, false)]),
         _ => true,
     }
+}
+
+/// The corners of a triangle from corner `c` on.
+fn from(t: &Triangle, c: usize) -> Triangle {
+    [t[c % 3], t[(c + 1) % 3], t[(c + 2) % 3]]
 }
 
 #[cfg(test)]

@@ -2,12 +2,10 @@
 //!
 //! Everything is closed: touching is meeting. Two triangles without a common corner meet where an edge of one meets the other.
 
+use crate::apart::{Triangle, are_apart, are_apart_beyond_corner, are_apart_beyond_edge};
 use glam::{DVec2, DVec3};
 use mesh_core::exact::{orient2d, orient3d};
 use std::cmp::Ordering::{self, Equal, Greater, Less};
-
-/// A triangle in space, not degenerate.
-pub(crate) type Triangle = [DVec3; 3];
 
 /// On which side of a plane a point lies, `Equal` on it.
 fn side3([a, b, c]: Triangle, p: DVec3) -> Ordering {
@@ -44,18 +42,21 @@ pub(crate) fn triangles_meet(t: Triangle, u: Triangle) -> bool {
         sides[0] != Equal && sides.iter().all(|&s| s == sides[0])
     };
     let edge_meets = |t: Triangle, u: Triangle| (0..3).any(|c| segment_meets([t[c], t[(c + 1) % 3]], u));
-    !apart(t, u) && !apart(u, t) && (edge_meets(t, u) || edge_meets(u, t))
+    !are_apart(&t, &u) && !apart(t, u) && !apart(u, t) && (edge_meets(t, u) || edge_meets(u, t))
 }
 
 /// Whether two triangles with the one common corner `[0]` meet elsewhere: the common line leaves one of them through the edge
 /// opposite of the corner.
 pub(crate) fn meet_beyond_corner(t: Triangle, u: Triangle) -> bool {
-    segment_meets([t[1], t[2]], u) || segment_meets([u[1], u[2]], t)
+    !are_apart_beyond_corner(&t, &u) && (segment_meets([t[1], t[2]], u) || segment_meets([u[1], u[2]], t))
 }
 
 /// Whether two triangles with the common edge from `t[0]` to `t[1]` meet beyond it: `apex`, the other triangle's third corner,
 /// lies in the plane of `t` and on the same side of the edge.
 pub(crate) fn meet_beyond_edge(t: Triangle, apex: DVec3) -> bool {
+    if are_apart_beyond_edge(&t, apex) {
+        return false;
+    }
     let Some(axis) = free_axis(t) else { return false };
     let [a, b, c, apex2] = [t[0], t[1], t[2], apex].map(|p| drop_axis(p, axis));
     side3(t, apex) == Equal && side2([a, b], apex2) == side2([a, b], c)

@@ -23,6 +23,7 @@
 
 mod clean;
 pub mod exact;
+mod face_tree;
 mod filling;
 mod id;
 mod inspect;

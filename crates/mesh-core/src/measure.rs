@@ -68,6 +68,10 @@ impl Bounds {
     pub fn of(points: impl IntoIterator<Item = DVec3>) -> Option<Self> {
         points.into_iter().map(|p| Self { min: p, max: p }).reduce(|a, b| Self { min: a.min.min(b.min), max: a.max.max(b.max) })
     }
+    /// Whether the two boxes have a point in common.
+    pub fn meets(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
     /// Length of the diagonal.
     pub fn diagonal(&self) -> f64 {
         self.min.distance(self.max)

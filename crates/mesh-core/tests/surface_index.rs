@@ -1,8 +1,10 @@
 //! [`SurfaceIndex`] against brute force over all faces.
 
 use glam::DVec3;
-use mesh_core::{Bounds, Closest, FaceId, Hit, Line, SurfaceIndex, SurfacePoint, TriMesh, closest_on_triangle};
+use mesh_core::{Bounds, Closest, FaceId, Hit, Line, SHEET_DISTANCE, SurfaceIndex, SurfacePoint, TriMesh, closest_on_triangle};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
+use std::sync::Mutex;
 
 fn brute_closest(mesh: &TriMesh, faces: &[FaceId], point: DVec3) -> Option<Closest> {
     let all = faces.iter().map(|&face| {
@@ -27,6 +29,7 @@ fn brute_hit(mesh: &TriMesh, faces: &[FaceId], line: &Line, on_ray: f64) -> Opti
 
 fn check_closest(mesh: &TriMesh, faces: &[FaceId], points: &[DVec3]) {
     let index = SurfaceIndex::of_faces(mesh, faces.iter().copied());
+    assert_eq!(index.closest_of_each(points), points.iter().map(|&p| brute_closest(mesh, faces, p)).collect::<Vec<_>>());
     for &p in points {
         assert_eq!(index.closest(p), brute_closest(mesh, faces, p));
         let even: Vec<_> = faces.iter().copied().filter(|f| f.0 % 2 == 0).collect();
@@ -197,23 +200,57 @@ fn a_slanted_ray_from_any_point_of_a_surface_finds_it_at_once() {
 }
 
 #[test]
-fn faces_whose_box_meets_a_box_are_looked_at_until_one_will_do() {
+fn pairs_whose_boxes_meet_are_asked_for_until_one_will_do() {
     let mesh = grid(16, 1, 0.5);
     let index = SurfaceIndex::new(&mesh);
-    let bounds_of = |f: FaceId| Bounds::of(mesh.triangle(f)).unwrap();
-    let meet = |a: &Bounds, b: &Bounds| a.min.cmple(b.max).all() && b.min.cmple(a.max).all();
-    for f in mesh.faces().ids() {
-        let mut seen = Vec::new();
-        let look = |g: FaceId, seen: &mut Vec<FaceId>, enough: usize| {
-            seen.push(g);
-            seen.len() == enough
-        };
-        assert!(!index.any_in_box(&bounds_of(f), |g| look(g, &mut seen, usize::MAX)));
-        assert!(mesh.faces().ids().all(|g| seen.contains(&g) || !meet(&bounds_of(f), &bounds_of(g))));
-        assert!(seen.len() < mesh.n_faces() / 4, "{}", seen.len());
-        seen.clear();
-        assert!(index.any_in_box(&bounds_of(f), |g| look(g, &mut seen, 2)));
-        assert_eq!(seen.len(), 2);
+    let meet = |f: FaceId, g: FaceId| {
+        let [a, b] = [f, g].map(|f| Bounds::of(mesh.triangle(f)).unwrap());
+        f != g && a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
+    };
+    let asked = Mutex::new(BTreeSet::new());
+    let ask = |pair: [FaceId; 2], triangles: [&[DVec3; 3]; 2], holds: bool| {
+        assert_eq!(triangles.map(|t| *t), pair.map(|f| mesh.triangle(f)));
+        assert!(asked.lock().unwrap().insert(pair), "{pair:?} again");
+        holds
+    };
+    assert!(index.faces_that_meet(|pair, triangles| ask(pair, triangles, false)).is_empty());
+    let all: BTreeSet<[FaceId; 2]> = asked.lock().unwrap().split_off(&[FaceId(0); 2]);
+    let expected = mesh.faces().ids().flat_map(|f| mesh.faces().ids().map(move |g| [f, g])).filter(|&[f, g]| meet(f, g));
+    assert_eq!(all, expected.collect());
+    assert_eq!(index.faces_that_meet(|pair, triangles| ask(pair, triangles, pair[0].0 % 3 == 0)), third(&mesh));
+    let asked = asked.lock().unwrap();
+    assert!(third(&mesh).iter().all(|f| asked.iter().filter(|pair| pair[0] == *f).count() == 1));
+}
+
+fn third(mesh: &TriMesh) -> Vec<FaceId> {
+    mesh.faces().ids().filter(|f| f.0 % 3 == 0).collect()
+}
+
+#[test]
+fn far_points_are_as_good_as_near_ones() {
+    let mesh = grid(8, 2, 0.5);
+    for size in [0.5, 3.0, 5.0, 100.0, 1e4, 1e8] {
+        let points: Vec<_> = (0..200).map(|i| size * DVec3::new((i as f64).sin(), (2.5 * i as f64).cos(), 1.0)).collect();
+        check_closest(&mesh, &all_faces(&mesh), &points);
+    }
+}
+
+#[test]
+fn a_sheet_in_the_same_place_may_face_the_other_way() {
+    // A square that faces up, and one that faces down below it.
+    let plates = |gap: f64| {
+        let [top, bottom] = [0.0, -gap].map(|z| [[0.0, 0.0, z], [1.0, 0.0, z], [1.0, 1.0, z], [0.0, 1.0, z]]);
+        let faces = [[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]];
+        SurfaceIndex::new(&TriMesh::from_slices(&[top, bottom].concat(), &faces).unwrap())
+    };
+    let place = DVec3::new(0.7, 0.2, 1e-7);
+    for (gap, opposes) in [(0.9 * SHEET_DISTANCE, false), (2.0 * SHEET_DISTANCE, true)] {
+        let index = plates(gap * 2f64.sqrt());
+        assert!(!index.opposes(place, DVec3::Z) && !index.nearest_opposes(place, 0.1 * DVec3::Z));
+        assert!(index.nearest_opposes(place, -DVec3::Z));
+        assert_eq!(index.opposes(place, -DVec3::Z), opposes);
+        // What stands upright, or has no normal, opposes nothing.
+        assert!(!index.opposes(place, DVec3::X) && !index.opposes(place, DVec3::ZERO) && !index.opposes(place, DVec3::NAN));
     }
 }
 
