@@ -4,12 +4,13 @@
 //! scan noise) its model means little, and a few triangles stay folded. There the neighbours of a fold try places all around them, and
 //! take the one that leaves the best worst triangle: no derivatives, never a step back.
 
-use crate::domain::{Domain, Freedom};
-use crate::placement::{Placement, Spot};
+use crate::freedom::Freedom;
+use crate::movable_domain::MovableDomain;
+use crate::placed_vertex::PlacedVertex;
+use crate::placement::Placement;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
-use std::sync::OnceLock;
 
 /// Triangles worse than this (AR, negative when folded) are mended.
 const SOUND: f64 = 0.02;
@@ -23,25 +24,21 @@ const ROUNDS: usize = 20;
 const DIRECTIONS: usize = 12;
 const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
 
-/// Mends placements of one domain. The surface is indexed when first asked for.
+/// Mends placements of one domain.
 pub(crate) struct Mender<'a> {
-    pub(crate) domain: &'a Domain<'a>,
-    index: &'a OnceLock<SurfaceIndex>,
+    pub(crate) domain: &'a MovableDomain<'a>,
     /// With more folded triangles than these the map is wrong, not a few vertices.
     most: f64,
 }
 
 impl<'a> Mender<'a> {
-    pub(crate) fn new(domain: &'a Domain<'a>, index: &'a OnceLock<SurfaceIndex>) -> Self {
-        Self { domain, index, most: MOST_FOLDED * domain.topology.n_faces() as f64 }
+    pub(crate) fn new(domain: &'a MovableDomain<'a>) -> Self {
+        Self { domain, most: MOST_FOLDED * domain.topology.n_faces() as f64 }
     }
 
     /// The same for a part of the domain.
-    pub(crate) fn of_part<'b>(&self, domain: &'b Domain<'b>) -> Mender<'b>
-    where
-        'a: 'b,
-    {
-        Mender { domain, ..*self }
+    pub(crate) fn of_part<'b>(&self, domain: &'b MovableDomain<'b>) -> Mender<'b> {
+        Mender { domain, most: self.most }
     }
 
     /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
@@ -53,9 +50,8 @@ impl<'a> Mender<'a> {
         if faces.par_iter().filter(|f| folded(f)).count() as f64 > self.most {
             return;
         }
-        let mesh = self.domain.surface.mesh;
-        let sight =
-            Sight { domain: self.domain, index: self.index.get_or_init(|| SurfaceIndex::new(mesh)), diagonal: mesh.diagonal() };
+        let surface = self.domain.surface;
+        let sight = Sight { domain: self.domain, index: surface.index(), diagonal: surface.mesh().diagonal() };
         let mut folds = sight.folds(placement, faces);
         for _ in 0..ROUNDS {
             if folds.is_empty() || folds.len() as f64 > self.most {
@@ -76,7 +72,7 @@ impl<'a> Mender<'a> {
 
 /// Sees folds that the normals at the corners do not tell of.
 struct Sight<'a> {
-    domain: &'a Domain<'a>,
+    domain: &'a MovableDomain<'a>,
     index: &'a SurfaceIndex,
     diagonal: f64,
 }
@@ -97,29 +93,29 @@ impl Sight<'_> {
             return false;
         }
         let start = placement[v];
-        let (mut best, mut best_spot) = (self.score(placement, v), None);
+        let (mut best, mut best_place) = (self.score(placement, v), None);
         for way in self.ways(placement, v, &start) {
             placement.move_to(v, start);
-            let spot = self.domain.displaced(placement, v, way);
-            placement.move_to(v, spot);
+            let placed = self.domain.displaced(placement, v, way);
+            placement.move_to(v, placed);
             // What the surface says can only lower the score, and takes longest to ask.
             if self.score_by_corners(placement, v) > best {
                 let score = self.score(placement, v);
                 if score > best {
-                    (best, best_spot) = (score, Some(spot));
+                    (best, best_place) = (score, Some(placed));
                 }
             }
         }
-        placement.move_to(v, best_spot.unwrap_or(start));
-        best_spot.is_some()
+        placement.move_to(v, best_place.unwrap_or(start));
+        best_place.is_some()
     }
 
     /// Displacements to try: to the middle of the neighbours, and all around in the tangent plane.
-    fn ways(&self, placement: &Placement, v: VertexId, spot: &Spot) -> Vec<DVec3> {
-        let ring: Vec<DVec3> = self.domain.topology.one_ring(v).map(|w| placement[w].position - spot.position).collect();
+    fn ways(&self, placement: &Placement, v: VertexId, placed: &PlacedVertex) -> Vec<DVec3> {
+        let ring: Vec<DVec3> = self.domain.topology.one_ring(v).map(|w| placement[w].position - placed.position).collect();
         let n = ring.len().max(1) as f64;
         let reach = ring.iter().map(|w| w.length()).sum::<f64>() / n;
-        let up = (spot.normals[0] + spot.normals[1]).try_normalize().unwrap_or(DVec3::Z);
+        let up = (placed.normals[0] + placed.normals[1]).try_normalize().unwrap_or(DVec3::Z);
         let (x, y) = up.any_orthonormal_pair();
         let direction = |i: usize| {
             let (sin, cos) = (i as f64 * std::f64::consts::TAU / DIRECTIONS as f64).sin_cos();
@@ -147,7 +143,7 @@ impl Sight<'_> {
     fn in_sight_of_surface(&self, placement: &Placement, f: FaceId, quality: f64) -> f64 {
         let triangle = placement.triangle(self.domain, f);
         let (own, middle) = (normal(triangle), (triangle[0] + triangle[1] + triangle[2]) / 3.0);
-        let opposes = |g: FaceId| self.domain.surface.mesh.normal(g).dot(own) < 0.0;
+        let opposes = |g: FaceId| self.domain.surface.mesh().normal(g).dot(own) < 0.0;
         match self.index.closest(middle) {
             Some(nearest) if quality > 0.0 && opposes(nearest.face) && !self.touches(middle, nearest.distance, opposes) => {
                 -quality
@@ -163,7 +159,7 @@ impl Sight<'_> {
     }
 }
 
-impl Domain<'_> {
+impl MovableDomain<'_> {
     /// The vertices of some faces and their neighbours, in rising order.
     fn around(&self, faces: &[FaceId]) -> Vec<VertexId> {
         let corners = faces.iter().flat_map(|&f| self.topology.face(f));
@@ -175,7 +171,7 @@ impl Domain<'_> {
 }
 
 /// AR of a face, negative where it faces against the surface at its corners.
-fn signed_quality(domain: &Domain, placement: &Placement, f: FaceId) -> f64 {
+fn signed_quality(domain: &MovableDomain, placement: &Placement, f: FaceId) -> f64 {
     let quality = aspect_ratio(placement.triangle(domain, f));
     if placement.signed_area(domain, f) > 0.0 { quality } else { -quality }
 }

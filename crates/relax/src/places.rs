@@ -2,12 +2,13 @@
 //! little say, and where many give way for them these fold in turn.
 
 use crate::ShapeOptions;
-use crate::domain::{Domain, Freedom};
+use crate::best_shape::best_shape;
+use crate::freedom::Freedom;
 use crate::mend::Mender;
+use crate::movable_domain::MovableDomain;
 use crate::part::Part;
-use crate::placement::{Placement, Spot};
-use crate::quality::Quality;
-use crate::relax::best_shape;
+use crate::placed_vertex::PlacedVertex;
+use crate::placement::Placement;
 use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -27,12 +28,12 @@ pub(crate) fn relax_places(
 ) -> usize {
     let domain = mender.domain;
     let mut steps = 0;
-    let mut left: Vec<Place> = domain.topology.clusters(faces).iter().filter_map(|f| Place::new(domain, f, edges)).collect();
+    let mut left: Vec<Place<'_>> = domain.topology.clusters(faces).iter().filter_map(|f| Place::new(domain, f, edges)).collect();
     while !left.is_empty() {
         let (apart, others) = apart(left);
         let relaxed: Vec<_> = apart.par_iter().map(|place| place.relaxed(mender, targets, placement, options)).collect();
         for (moved, steps_there) in relaxed {
-            moved.into_iter().for_each(|(v, spot)| placement.move_to(v, spot));
+            moved.into_iter().for_each(|(v, placed)| placement.move_to(v, placed));
             steps += steps_there;
         }
         left = others;
@@ -41,21 +42,21 @@ pub(crate) fn relax_places(
 }
 
 /// A fold and what is around it.
-struct Place {
+struct Place<'a> {
     faces: Vec<FaceId>,
-    part: Part,
+    part: Part<'a>,
 }
 
-impl Place {
+impl<'a> Place<'a> {
     /// The place of some faces with all vertices up to `edges` edges away free. Wider where it would be no manifold.
-    fn new(domain: &Domain, folds: &[FaceId], edges: usize) -> Option<Self> {
-        (edges..edges + MOST_WIDER).find_map(|edges| {
-            let free = within(domain.topology, folds, edges);
+    fn new(domain: &MovableDomain<'a>, folds: &[FaceId], edges: usize) -> Option<Self> {
+        (0..MOST_WIDER).find_map(|wider| {
+            let free = within(&domain.topology, folds, edges.saturating_add(wider));
             let faces = domain.fans(&free);
             let normals = |f| [0, 1, 2].map(|c| domain.normals[HalfedgeId::of(f, c)]);
             let triangles: Vec<_> = faces.iter().map(|&f| (domain.topology.face(f), normals(f))).collect();
             let is_free = |v| free.binary_search(&v).is_ok();
-            let part = Part::new(&triangles, |v| if is_free(v) { domain.freedoms[v] } else { Freedom::Fixed })?;
+            let part = Part::new(domain, &triangles, |v| if is_free(v) { domain.freedoms[v] } else { Freedom::Fixed })?;
             Some(Self { faces, part })
         })
     }
@@ -67,18 +68,16 @@ impl Place {
         targets: &IdVec<FaceId, f64>,
         placement: &Placement,
         options: &ShapeOptions,
-    ) -> (Vec<(VertexId, Spot)>, usize) {
-        let domain = self.part.domain(mender.domain);
+    ) -> (Vec<(VertexId, PlacedVertex)>, usize) {
         let targets = self.faces.iter().map(|&f| targets[f]).collect();
         let start = self.part.placement(|v| placement[v]);
-        let quality = Quality::of(&start, &domain);
-        let (best, _, steps) = best_shape(&mender.of_part(&domain), &targets, (start, quality), SLACK, options);
-        (self.part.moved(&best), steps)
+        let best = best_shape(&mender.of_part(&self.part.domain), &targets, start, SLACK, options);
+        (self.part.moved(&best.placement), best.steps)
     }
 }
 
 /// Some places that have no vertex in common, and all others.
-fn apart(places: Vec<Place>) -> (Vec<Place>, Vec<Place>) {
+fn apart(places: Vec<Place<'_>>) -> (Vec<Place<'_>>, Vec<Place<'_>>) {
     let mut taken = BTreeSet::new();
     places.into_iter().partition(|place| {
         let is_free = place.part.vertices.iter().all(|v| !taken.contains(v));
@@ -94,6 +93,9 @@ fn within(topology: &Topology, faces: &[FaceId], edges: usize) -> Vec<VertexId> 
     let mut reached: BTreeSet<VertexId> = faces.iter().flat_map(|&f| topology.face(f)).collect();
     let mut last: Vec<VertexId> = reached.iter().copied().collect();
     for _ in 0..edges {
+        if last.is_empty() {
+            break;
+        }
         last = last.into_iter().flat_map(|v| topology.one_ring(v)).filter(|&w| reached.insert(w)).collect();
     }
     reached.into_iter().collect()

@@ -5,7 +5,7 @@
 //! lost the sign) is closed: of the way to the centroid the part along the normal is divided by `1 + lambda`.
 
 use crate::QuadricOptions;
-use crate::domain::Domain;
+use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
 use crate::quality::Quality;
 use crate::weights::vertex_weights;
@@ -17,8 +17,8 @@ const LEAST_GAIN: f64 = 1e-4;
 const MOST_IDLE: usize = 3;
 
 /// Relaxes until the target quality, no gain or the cap. Returns the best placement met and the number of iterations.
-pub(crate) fn relax_quadric(domain: &Domain, start: Placement, options: &QuadricOptions) -> (Placement, usize) {
-    let weights = vertex_weights(domain.topology, options.weights);
+pub(crate) fn relax_quadric(domain: &MovableDomain, start: Placement, options: &QuadricOptions) -> (Placement, usize) {
+    let weights = vertex_weights(&domain.topology, options.weights);
     let (mut best, mut best_quality) = (start.clone(), Quality::of(&start, domain));
     let (mut now, mut idle, mut iterations) = (start, 0, 0);
     while iterations < options.iterations && idle < MOST_IDLE && best_quality.ar_mean < options.target_quality {
@@ -37,7 +37,13 @@ pub(crate) fn relax_quadric(domain: &Domain, start: Placement, options: &Quadric
 }
 
 /// The way of vertex `v` to the minimum of eq. 7.
-fn quadric_step(domain: &Domain, placement: &Placement, weights: &IdVec<VertexId, f64>, plane_weight: f64, v: VertexId) -> DVec3 {
+fn quadric_step(
+    domain: &MovableDomain,
+    placement: &Placement,
+    weights: &IdVec<VertexId, f64>,
+    plane_weight: f64,
+    v: VertexId,
+) -> DVec3 {
     let (mut sum, mut total) = (DVec3::ZERO, 0.0);
     for w in domain.topology.one_ring(v) {
         sum += weights[w] * placement[w].position;

@@ -1,6 +1,6 @@
 //! How good the triangles of a placement are.
 
-use crate::domain::Domain;
+use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
 use mesh_core::{FaceId, aspect_ratio};
 
@@ -17,7 +17,7 @@ pub struct Quality {
 
 impl Quality {
     /// Measures all faces of a placement.
-    pub(crate) fn of(placement: &Placement, domain: &Domain) -> Self {
+    pub(crate) fn of(placement: &Placement, domain: &MovableDomain) -> Self {
         let upright = |f: FaceId| (placement.signed_area(domain, f) > 0.0).then(|| aspect_ratio(placement.triangle(domain, f)));
         let ratios = domain.of_faces(upright);
         let (mut sum, mut least, mut inverted) = (0.0, 1.0f64, 0);

@@ -12,12 +12,11 @@ mod remove;
 mod search;
 mod split;
 
-use crate::domain::Domain;
+use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
 use crate::{RelaxError, ShapeOptions};
 use coarse::Coarse;
-use mesh_core::Topology;
-use region_map::{BaseEdit, RegionMap, Sizing, Surface};
+use region_map::{BaseEdit, Domain, Sizing, Surface};
 use search::Search;
 
 /// How to search.
@@ -58,22 +57,22 @@ pub struct Reconnected {
 /// Edits a base mesh so that the shape energy of its first subdivision falls: edges are flipped, and vertices taken away while as many
 /// are put in elsewhere.
 ///
-/// `topology` and `map` are those of the base mesh subdivided once and relaxed. `carry_out` does each edit that is chosen in the base mesh
+/// `domain` is the base mesh subdivided once and relaxed. `carry_out` does each edit that is chosen in the base mesh
 /// itself; where it cannot and returns false, the edit is not done. Vertices are taken away only where the sizing field asks for nothing.
 /// The energy never grows.
 ///
 /// Fails when the map does not fit the domain or the surface, and for a domain that was not subdivided once.
 pub fn reconnect(
     surface: &Surface,
+    domain: &Domain,
     sizing: &Sizing,
-    topology: &Topology,
-    map: &RegionMap,
     options: &ReconnectOptions,
     carry_out: impl FnMut(&BaseEdit) -> bool + Sync,
 ) -> Result<Reconnected, RelaxError> {
-    let domain = Domain::new(surface, topology, map)?;
-    let placement = Placement::of_map(&domain, map);
-    let coarse = Coarse::new(&domain, map, placement, &options.shape)?;
+    options.shape.check()?;
+    let movable = MovableDomain::new(surface, domain)?;
+    let placement = Placement::of_region(&movable, &domain.region);
+    let coarse = Coarse::new(&movable, &domain.region, placement, &options.shape)?;
     let mut search = Search::new(coarse, sizing, options, carry_out);
     let mut near = search.coarse.edges();
     while !near.is_empty() && !search.is_tired() {

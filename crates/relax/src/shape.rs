@@ -4,11 +4,12 @@
 //! second-order model of the energy by conjugate gradients, walks, takes back what it made bad, and is halved until the energy
 //! falls. While triangles are inverted or nearly so the energy is regularised, less and less as the worst of them improves.
 
-use crate::domain::{Domain, Freedom};
+use crate::ShapeOptions;
 use crate::energy::{Metric, Triangle};
+use crate::freedom::Freedom;
+use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
 use crate::system::{Element, Pattern, System};
-use crate::{RelaxError, ShapeOptions, TargetArea};
 use glam::{DMat2, DVec2, DVec3};
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
 use rayon::prelude::*;
@@ -51,7 +52,7 @@ const MOST_SMALL_GAINS: usize = 3;
 
 /// Optimises the shape of all triangles. Returns the placement and the number of Newton steps.
 pub(crate) fn optimise_shape(
-    domain: &Domain,
+    domain: &MovableDomain,
     start: Placement,
     targets: &IdVec<FaceId, f64>,
     options: &ShapeOptions,
@@ -62,28 +63,19 @@ pub(crate) fn optimise_shape(
     (optimiser.placement, untangling + smoothing)
 }
 
-/// The areas wanted of all faces of a domain, by their sheets and their places at the start.
-pub(crate) fn target_areas(
-    domain: &Domain,
-    sheets: &IdVec<FaceId, SheetId>,
-    start: &Placement,
-    target: &TargetArea,
-) -> Result<IdVec<FaceId, f64>, RelaxError> {
-    let faces = domain.topology.n_faces();
-    match target {
-        TargetArea::SheetMean => {
-            let means = sheet_means(domain, sheets, start);
-            Ok(sheets.iter().map(|s| means[s.index()]).collect())
-        }
-        TargetArea::PerFace(areas) if areas.len() == faces && areas.iter().all(|a| *a > 0.0 && a.is_finite()) => {
-            Ok(areas.clone())
-        }
-        TargetArea::PerFace(_) => Err(RelaxError::TargetArea { faces }),
-    }
+/// The areas wanted of all faces of a domain: the means over their sheets.
+pub(crate) fn sheet_targets(domain: &MovableDomain, sheets: &IdVec<FaceId, SheetId>, start: &Placement) -> IdVec<FaceId, f64> {
+    let means = sheet_means(domain, sheets, start);
+    sheets.iter().map(|s| means[s.index()]).collect()
 }
 
 /// By how much the energies of all faces of a domain exceed the least one, at most [`MOST_COST`].
-pub(crate) fn costs(domain: &Domain, placement: &Placement, targets: &IdVec<FaceId, f64>, options: &ShapeOptions) -> Vec<f64> {
+pub(crate) fn costs(
+    domain: &MovableDomain,
+    placement: &Placement,
+    targets: &IdVec<FaceId, f64>,
+    options: &ShapeOptions,
+) -> Vec<f64> {
     let metric = Metric { power: options.power.max(1.0), size_weight: options.size_weight.max(0.0), cap: f64::INFINITY };
     let cost = |f: FaceId| {
         let (corners, normal) = (placement.triangle(domain, f), placement.reference_normal(domain, f));
@@ -94,7 +86,7 @@ pub(crate) fn costs(domain: &Domain, placement: &Placement, targets: &IdVec<Face
 }
 
 struct Optimiser<'a> {
-    domain: &'a Domain<'a>,
+    domain: &'a MovableDomain<'a>,
     pattern: Pattern,
     targets: &'a IdVec<FaceId, f64>,
     metric: Metric,
@@ -113,10 +105,10 @@ struct Step {
 }
 
 impl<'a> Optimiser<'a> {
-    fn new(domain: &'a Domain<'a>, placement: Placement, targets: &'a IdVec<FaceId, f64>, options: &ShapeOptions) -> Self {
+    fn new(domain: &'a MovableDomain<'a>, placement: Placement, targets: &'a IdVec<FaceId, f64>, options: &ShapeOptions) -> Self {
         let metric = Metric { power: 1.0, size_weight: options.size_weight.max(0.0), cap: f64::INFINITY };
         let eps = IdVec::filled(0.0, domain.topology.n_faces());
-        Self { domain, pattern: Pattern::new(domain.topology), targets, metric, eps, placement }
+        Self { domain, pattern: Pattern::new(&domain.topology), targets, metric, eps, placement }
     }
 
     /// Steps on the regularised energy until no triangle is inverted or nearly so. Returns their number.
@@ -168,7 +160,7 @@ impl<'a> Optimiser<'a> {
     fn step(&self, hold: bool, present: &[f64]) -> Option<Step> {
         let before = present.iter().sum();
         let frames = self.frames();
-        let system = System::assemble(&self.pattern, self.domain.topology, &self.elements(&frames));
+        let system = System::assemble(&self.pattern, &self.domain.topology, &self.elements(&frames));
         let solution = system.solve(SOLVER_TOLERANCE, SOLVER_STEPS);
         // No vertex' way is cut short by itself: where a whole region slides, that would squeeze it (measured on the rabbit: .930
         // after 30 steps instead of .979).
@@ -234,11 +226,11 @@ impl<'a> Optimiser<'a> {
     /// The directions that each free vertex can move in: two, one and 0, or both 0.
     fn frames(&self) -> IdVec<VertexId, [DVec3; 2]> {
         let frame = |v: VertexId| {
-            let spot = &self.placement[v];
+            let placed = &self.placement[v];
             match &self.domain.freedoms[v] {
                 Freedom::Fixed => [DVec3::ZERO; 2],
-                Freedom::Rail(rail) => [self.domain.rail_direction(rail, spot.t), DVec3::ZERO],
-                Freedom::Sheet => match spot.normals[0].try_normalize() {
+                Freedom::Arc(on_arc) => [self.domain.arc_direction(on_arc, placed.t), DVec3::ZERO],
+                Freedom::Sheet => match placed.normals[0].try_normalize() {
                     Some(normal) => normal.any_orthonormal_pair().into(),
                     None => [DVec3::ZERO; 2],
                 },
@@ -281,8 +273,8 @@ fn outer(a: DVec2, b: DVec2) -> DMat2 {
 }
 
 /// The mean unsigned area of the faces of every sheet.
-pub(crate) fn sheet_means(domain: &Domain, sheets: &IdVec<FaceId, SheetId>, placement: &Placement) -> Vec<f64> {
-    let mut sums = vec![(0.0, 0usize); domain.surface.network.n_sheets];
+pub(crate) fn sheet_means(domain: &MovableDomain, sheets: &IdVec<FaceId, SheetId>, placement: &Placement) -> Vec<f64> {
+    let mut sums = vec![(0.0, 0usize); domain.surface.network().n_sheets];
     for f in domain.topology.faces().ids() {
         let (sum, n) = &mut sums[sheets[f].index()];
         *sum += mesh_core::area(placement.triangle(domain, f));
@@ -292,7 +284,7 @@ pub(crate) fn sheet_means(domain: &Domain, sheets: &IdVec<FaceId, SheetId>, plac
 }
 
 /// For every face the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.
-fn local_areas(domain: &Domain, placement: &Placement) -> Vec<f64> {
+fn local_areas(domain: &MovableDomain, placement: &Placement) -> Vec<f64> {
     let around = |f: FaceId| domain.topology.face(f).into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face);
     let mean = |f: FaceId| {
         let (sum, n) = around(f).fold((0.0, 0), |(sum, n), g| (sum + mesh_core::area(placement.triangle(domain, g)), n + 1));

@@ -4,9 +4,9 @@ mod common;
 mod reconnecting;
 
 use common::{Bed, OCTAHEDRON, bytes, cube, frustum, icosahedron, octahedron, on_sphere, torus};
-use mesh_core::{FaceId, IdVec, VertexId, walk};
+use mesh_core::{FaceId, IdVec, VertexId};
 use region_map::{Attachment, SheetId};
-use relax::{QuadricOptions, RelaxError, RelaxOptions, Relaxed, ShapeOptions, TargetArea, Weights, relax_around};
+use relax::{QuadricOptions, RelaxError, RelaxOptions, Relaxed, ShapeOptions, Weights, relax_around};
 
 fn icosphere(levels: usize) -> Bed {
     let (positions, faces) = icosahedron();
@@ -30,12 +30,12 @@ fn only_quadric(quadric: QuadricOptions) -> RelaxOptions {
 }
 
 fn only_shape(shape: ShapeOptions) -> RelaxOptions {
-    RelaxOptions { quadric: QuadricOptions { iterations: 0, ..Default::default() }, shape, held: Vec::new() }
+    RelaxOptions { quadric: QuadricOptions { iterations: 0, ..Default::default() }, shape }
 }
 
 /// Variance of the areas over their squared mean.
 fn area_spread(relaxed: &Relaxed) -> f64 {
-    let areas = relaxed.mesh.areas().into_vec();
+    let areas = relaxed.domain.mesh.areas().into_vec();
     let mean = areas.iter().sum::<f64>() / areas.len() as f64;
     areas.iter().map(|a| (a - mean).powi(2)).sum::<f64>() / areas.len() as f64 / (mean * mean)
 }
@@ -112,18 +112,6 @@ fn the_size_term_evens_the_areas() {
     assert!(spread(0.0) > 1.5 * spread(1.0));
 }
 
-/// Small triangles wanted on one half of a sphere become smaller than those on the other.
-#[test]
-fn given_target_areas_are_sought() {
-    let bed = icosphere(3);
-    let upper = |f: FaceId| bed.domain.centroid(f).z > 0.0;
-    let target: IdVec<FaceId, f64> = bed.domain.faces().ids().map(|f| if upper(f) { 0.005 } else { 0.02 }).collect();
-    let shape = ShapeOptions { size_weight: 1.0, target: TargetArea::PerFace(target), ..Default::default() };
-    let relaxed = bed.relax(&only_shape(shape));
-    let sum = |up: bool| bed.domain.faces().ids().filter(|&f| upper(f) == up).map(|f| relaxed.mesh.area(f)).sum::<f64>();
-    assert!(sum(false) > 2.0 * sum(true), "{} {}", sum(false), sum(true));
-}
-
 #[test]
 fn same_bytes_on_one_and_two_threads() {
     let run = |threads| {
@@ -140,26 +128,28 @@ fn same_bytes_on_one_and_two_threads() {
 fn maps_that_do_not_fit_are_refused() {
     let options = RelaxOptions::default();
     let mut bed = cube(4, 1);
-    bed.map.points = IdVec::new();
-    assert!(matches!(bed.try_relax(&options), Err(RelaxError::Map(_))));
+    bed.domain.region.points = IdVec::new();
+    assert!(matches!(bed.try_relax(&options), Err(RelaxError::Region(_))));
 
     let mut bed = cube(4, 2);
-    let inside = bed.map.vertices().find(|&v| matches!(bed.map.attachments[v], Attachment::Sheet(_))).unwrap();
-    let other =
-        bed.network.sheet_of_face.ids().find(|&f| Attachment::Sheet(bed.network.sheet_of_face[f]) != bed.map.attachments[inside]);
-    bed.map.points[inside].face = other.unwrap();
+    let inside =
+        bed.domain.region.vertices().find(|&v| matches!(bed.domain.region.attachments[v], Attachment::Sheet(_))).unwrap();
+    let other = bed
+        .surface
+        .network()
+        .sheet_of_face
+        .ids()
+        .find(|&f| Attachment::Sheet(bed.surface.network().sheet_of_face[f]) != bed.domain.region.attachments[inside]);
+    bed.domain.region.points[inside].face = other.unwrap();
     assert_eq!(bed.try_relax(&options).unwrap_err(), RelaxError::OtherSheet(inside));
 
     let mut bed = cube(4, 2);
-    let sliding = bed.map.vertices().find(|&v| matches!(bed.map.attachments[v], Attachment::Arc { .. })).unwrap();
-    let (&ends, _) = bed.map.spans.iter().find(|(ends, _)| ends.contains(&sliding)).unwrap();
-    bed.map.spans.remove(&ends);
+    let sliding =
+        bed.domain.region.vertices().find(|&v| matches!(bed.domain.region.attachments[v], Attachment::Arc { .. })).unwrap();
+    let (&ends, _) = bed.domain.region.spans.iter().find(|(ends, _)| ends.contains(&sliding)).unwrap();
+    bed.domain.region.spans.remove(&ends);
     let error = bed.try_relax(&options).unwrap_err();
-    assert!(matches!(error, RelaxError::ArcOrder(v) if ends.contains(&v)) || matches!(error, RelaxError::Map(_)), "{error}");
-
-    let bed = icosphere(1);
-    let shape = ShapeOptions { target: TargetArea::PerFace(IdVec::filled(1.0, 3)), ..Default::default() };
-    assert_eq!(bed.try_relax(&only_shape(shape)).unwrap_err(), RelaxError::TargetArea { faces: 80 });
+    assert!(matches!(error, RelaxError::ArcOrder(v) if ends.contains(&v)) || matches!(error, RelaxError::Region(_)), "{error}");
 }
 
 /// The side of an arc, or the sector at a corner, that a face lies on decides its normal: on the start of every bed, whose
@@ -182,7 +172,7 @@ fn upright_starts_have_no_inverted_triangle() {
 fn arc_vertices_even_out_along_a_loop() {
     let bed = frustum([1.0, 1.0], 1.5, 6, 3);
     let relaxed = bed.relax(&RelaxOptions::default());
-    let lengths: Vec<f64> = relaxed.map.spans.values().map(|s| (s.to - s.from).abs()).collect();
+    let lengths: Vec<f64> = relaxed.domain.region.spans.values().map(|s| (s.to - s.from).abs()).collect();
     let (least, most) = lengths.iter().fold((f64::MAX, 0.0f64), |(a, b), &l| (a.min(l), b.max(l)));
     assert!(most < 1.5 * least && lengths.len() == 2 * 6 * 8, "{least} {most}");
 }
@@ -191,27 +181,26 @@ fn arc_vertices_even_out_along_a_loop() {
 fn a_domain_of_corners_alone_stays() {
     let bed = cube(4, 0);
     let relaxed = bed.relax(&RelaxOptions::default());
-    assert_eq!(relaxed.mesh, bed.domain);
-    assert_eq!(relaxed.map.attachments[VertexId(0)], bed.map.attachments[VertexId(0)]);
-    assert_eq!(relaxed.map.sheet_of_face[FaceId(0)], bed.map.sheet_of_face[FaceId(0)]);
-    assert!(bed.network.n_sheets == 6 && relaxed.map.sheet_of_face.iter().all(|s| *s < SheetId(6)));
+    assert_eq!(relaxed.domain.mesh, bed.domain.mesh);
+    assert_eq!(relaxed.domain.region.attachments[VertexId(0)], bed.domain.region.attachments[VertexId(0)]);
+    assert_eq!(relaxed.domain.region.sheet_of_face[FaceId(0)], bed.domain.region.sheet_of_face[FaceId(0)]);
+    assert!(bed.surface.network().n_sheets == 6 && relaxed.domain.region.sheet_of_face.iter().all(|s| *s < SheetId(6)));
 }
 
 /// A vertex a billionth of an edge from its neighbour makes triangles that no smoothing opens. All others get as good as without it.
 #[test]
 fn a_collapsed_triangle_holds_up_nothing_else() {
     for (name, bed) in beds() {
-        let v = bed.map.vertices().find(|v| matches!(bed.map.attachments[*v], Attachment::Sheet(_))).unwrap();
-        let inner = |w: &VertexId| matches!(bed.map.attachments[*w], Attachment::Sheet(_));
-        let Some(w) = bed.domain_topology.one_ring(v).find(inner) else { continue };
+        let v = bed.domain.region.vertices().find(|v| matches!(bed.domain.region.attachments[*v], Attachment::Sheet(_))).unwrap();
+        let inner = |w: &VertexId| matches!(bed.domain.region.attachments[*w], Attachment::Sheet(_));
+        let Some(w) = bed.domain.topology.one_ring(v).find(inner) else { continue };
         let smooth = only_shape(ShapeOptions { untangling_steps: 0, ..Default::default() });
         let calm = bed.relax(&smooth).report.end;
         let mut collapsed = bed.clone();
-        let mut next_to_w = bed.map.points[w];
+        let mut next_to_w = bed.domain.region.points[w];
         next_to_w.barycentric = next_to_w.barycentric.map(|b| (b + 1e-9) / (1.0 + 3e-9));
-        collapsed.map.points[v] = next_to_w;
-        let held = RelaxOptions { held: vec![v, w], ..smooth };
-        let report = collapsed.relax(&held).report;
+        collapsed.domain.region.points[v] = next_to_w;
+        let report = collapsed.relax_holding(&[v, w], &smooth).report;
         assert!(report.end.ar_mean > calm.ar_mean - 0.05, "{name}: {report:?}, {calm:?}");
         assert!(report.end.ar_mean > report.start.ar_mean, "{name}: {report:?}");
     }
@@ -221,11 +210,16 @@ fn a_collapsed_triangle_holds_up_nothing_else() {
 #[test]
 fn held_vertices_stay() {
     for (name, bed) in beds() {
-        let inner: Vec<VertexId> =
-            bed.map.vertices().filter(|v| matches!(bed.map.attachments[*v], Attachment::Sheet(_))).step_by(7).collect();
+        let inner: Vec<VertexId> = bed
+            .domain
+            .region
+            .vertices()
+            .filter(|v| matches!(bed.domain.region.attachments[*v], Attachment::Sheet(_)))
+            .step_by(7)
+            .collect();
         let bed = bed.clone().jitter(0.3, 5);
-        let relaxed = bed.relax(&RelaxOptions { held: inner.clone(), ..Default::default() });
-        assert!(inner.iter().all(|&v| relaxed.map.points[v] == bed.map.points[v]), "{name}");
+        let relaxed = bed.relax_holding(&inner, &RelaxOptions::default());
+        assert!(inner.iter().all(|&v| relaxed.domain.region.points[v] == bed.domain.region.points[v]), "{name}");
         let report = relaxed.report;
         assert!(report.end.inverted == 0 && report.end.ar_mean > report.start.ar_mean, "{name}: {report:?}");
     }
@@ -236,27 +230,30 @@ fn held_vertices_stay() {
 fn folds_are_relaxed_in_their_place() {
     for (name, bed) in beds() {
         let calm = bed.relax(&RelaxOptions::default());
-        let inner = |v: &VertexId| matches!(calm.map.attachments[*v], Attachment::Sheet(_));
-        let (first, last) = (calm.map.vertices().find(inner).unwrap(), calm.map.vertices().filter(inner).last().unwrap());
-        let mut map = calm.map.clone();
+        let inner = |v: &VertexId| matches!(calm.domain.region.attachments[*v], Attachment::Sheet(_));
+        let (first, last) =
+            (calm.domain.region.vertices().find(inner).unwrap(), calm.domain.region.vertices().filter(inner).last().unwrap());
+        let mut region = calm.domain.region.clone();
         for v in [first, last] {
             // Onto a neighbour, and beyond.
-            let w = bed.domain_topology.one_ring(v).next().unwrap();
-            let way = 1.3 * (calm.mesh.position(w) - calm.mesh.position(v));
-            map.points[v] = walk(&bed.mesh, &bed.topology, map.points[v], way, |e| !bed.network.is_barrier(e)).end;
+            let w = bed.domain.topology.one_ring(v).next().unwrap();
+            let way = 1.3 * (calm.domain.mesh.position(w) - calm.domain.mesh.position(v));
+            region.points[v] = bed.walked(region.points[v], way);
         }
-        let faces: Vec<FaceId> = [first, last].iter().flat_map(|&v| bed.domain_topology.fan(v)).map(|h| h.face()).collect();
+        let faces: Vec<FaceId> = [first, last].iter().flat_map(|&v| bed.domain.topology.fan(v)).map(|h| h.face()).collect();
         let edges = 2;
-        let relaxed =
-            relax_around(&bed.surface(), &calm.mesh, &bed.domain_topology, &map, (&faces, edges), &ShapeOptions::default())
-                .unwrap();
+        let folded = calm.domain.placed(&bed.surface, region).unwrap();
+        let relaxed = relax_around(&bed.surface, &folded, &faces, edges, &ShapeOptions::default()).unwrap();
         assert!(relaxed.report.start.inverted > 0, "{name}");
         assert_eq!((relaxed.report.end.inverted, relaxed.inverted.len()), (0, 0), "{name}: {:?}", relaxed.report);
-        let mut near: std::collections::BTreeSet<VertexId> = faces.iter().flat_map(|&f| bed.domain_topology.face(f)).collect();
+        let mut near: std::collections::BTreeSet<VertexId> = faces.iter().flat_map(|&f| bed.domain.topology.face(f)).collect();
         for _ in 0..edges {
-            near = near.iter().flat_map(|&v| bed.domain_topology.one_ring(v).chain([v])).collect();
+            near = near.iter().flat_map(|&v| bed.domain.topology.one_ring(v).chain([v])).collect();
         }
         let far = |v: &VertexId| !near.contains(v);
-        assert!(calm.map.vertices().filter(far).all(|v| relaxed.map.points[v] == calm.map.points[v]), "{name}");
+        assert!(
+            calm.domain.region.vertices().filter(far).all(|v| relaxed.domain.region.points[v] == calm.domain.region.points[v]),
+            "{name}"
+        );
     }
 }

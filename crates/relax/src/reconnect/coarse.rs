@@ -1,8 +1,11 @@
 //! A base mesh as its relaxed first subdivision: every base face has its corners and the middles of its edges, all on the surface.
 
 use super::part::RelaxedPart;
-use crate::domain::{CornerNormal, Domain, Freedom};
-use crate::placement::{Placement, Spot};
+use crate::corner_normal::CornerNormal;
+use crate::freedom::Freedom;
+use crate::movable_domain::MovableDomain;
+use crate::placed_vertex::PlacedVertex;
+use crate::placement::Placement;
 use crate::shape::{costs, sheet_means};
 use crate::{RelaxError, ShapeOptions};
 use glam::DVec3;
@@ -54,12 +57,12 @@ pub(crate) type FaceIndex = usize;
 
 /// The base mesh under change.
 pub(crate) struct Coarse<'a> {
-    pub(crate) domain: &'a Domain<'a>,
+    pub(crate) domain: &'a MovableDomain<'a>,
     /// Faces that are gone leave holes.
     pub(crate) faces: Vec<Option<BaseFace>>,
     /// The faces round every base vertex, in rising order.
     pub(crate) stars: IdVec<VertexId, Vec<FaceIndex>>,
-    pub(crate) spots: IdVec<VertexId, Spot>,
+    pub(crate) placed: IdVec<VertexId, PlacedVertex>,
     pub(crate) freedoms: IdVec<VertexId, Freedom>,
     /// The cost of every face where its vertices are now.
     pub(crate) costs: Vec<f64>,
@@ -79,26 +82,26 @@ pub(crate) struct Change {
     /// Faces that come.
     pub(crate) new: Vec<BaseFace>,
     /// Vertices that are new or have new neighbours on their arc: where to begin, and what they are free to do.
-    pub(crate) moved: Vec<(VertexId, Spot, Freedom)>,
+    pub(crate) moved: Vec<(VertexId, PlacedVertex, Freedom)>,
 }
 
 impl Change {
-    /// Spot and freedom of a vertex after the change.
-    pub(crate) fn state(&self, coarse: &Coarse, v: VertexId) -> (Spot, Freedom) {
+    /// PlacedVertex and freedom of a vertex after the change.
+    pub(crate) fn state(&self, coarse: &Coarse, v: VertexId) -> (PlacedVertex, Freedom) {
         let moved = self.moved.iter().find(|m| m.0 == v);
-        moved.map_or_else(|| (coarse.spots[v], coarse.freedoms[v]), |&(_, spot, freedom)| (spot, freedom))
+        moved.map_or_else(|| (coarse.placed[v], coarse.freedoms[v]), |&(_, placed, freedom)| (placed, freedom))
     }
 }
 
 impl<'a> Coarse<'a> {
     /// Takes a domain that was subdivided once: part `i` of face `f` is face `4 f + i`, as [`BaseFace::parts`] has them.
     pub(crate) fn new(
-        domain: &'a Domain<'a>,
-        map: &RegionMap,
+        domain: &'a MovableDomain<'a>,
+        region: &RegionMap,
         placement: Placement,
         options: &ShapeOptions,
     ) -> Result<Self, RelaxError> {
-        let topology = domain.topology;
+        let topology = &domain.topology;
         let mut faces = Vec::with_capacity(topology.n_faces() / 4);
         let mut stars = IdVec::filled(Vec::new(), topology.n_vertices());
         for f in (0..topology.n_faces() / 4).map(|f| 4 * f as u32) {
@@ -108,7 +111,7 @@ impl<'a> Coarse<'a> {
                 corners: [part(0)[0], part(1)[0], part(2)[0]],
                 middles: [part(0)[1], part(1)[1], part(2)[1]],
                 normals: [[0, 1, 2].map(|i| normal(i, 0)), [0, 1, 2].map(|i| normal(i, 1))],
-                sheet: map.sheet_of_face[FaceId(f)],
+                sheet: region.sheet_of_face[FaceId(f)],
             };
             if (0..4).any(|i| face.parts()[i as usize].0 != part(i)) {
                 return Err(RelaxError::NotSubdivided);
@@ -119,10 +122,10 @@ impl<'a> Coarse<'a> {
         if faces.is_empty() || !topology.n_faces().is_multiple_of(4) {
             return Err(RelaxError::NotSubdivided);
         }
-        let targets = sheet_means(domain, &map.sheet_of_face, &placement);
-        let target_of_part = map.sheet_of_face.iter().map(|s| targets[s.index()]).collect();
+        let targets = sheet_means(domain, &region.sheet_of_face, &placement);
+        let target_of_part = region.sheet_of_face.iter().map(|s| targets[s.index()]).collect();
         let costs = costs(domain, &placement, &target_of_part, options).chunks(4).map(|parts| parts.iter().sum()).collect();
-        Ok(Self { domain, faces, stars, spots: placement.0, freedoms: domain.freedoms.clone(), costs, targets })
+        Ok(Self { domain, faces, stars, placed: placement.0, freedoms: domain.freedoms.clone(), costs, targets })
     }
 
     pub(crate) fn face(&self, f: FaceIndex) -> Option<&BaseFace> {
@@ -153,13 +156,13 @@ impl<'a> Coarse<'a> {
 
     /// Would a face with these edges at `v`, given by their middles, be an ear? Its corner opens to 180 degrees as the arc is subdivided.
     pub(crate) fn is_ear(&self, v: VertexId, middles: [VertexId; 2]) -> bool {
-        matches!(self.freedoms[v], Freedom::Rail(_)) && middles.into_iter().all(|m| self.is_on_arc(m))
+        matches!(self.freedoms[v], Freedom::Arc(_)) && middles.into_iter().all(|m| self.is_on_arc(m))
     }
 
     /// A place near a point, by a walk from the nearest of those vertices that are inside the sheet. `None` where none is.
-    pub(crate) fn start_near(&self, target: DVec3, from: &[VertexId]) -> Option<Spot> {
-        let spots = from.iter().filter(|&&v| !self.is_on_arc(v)).map(|&v| &self.spots[v]);
-        let nearest = spots.min_by(|a, b| a.position.distance(target).total_cmp(&b.position.distance(target)))?;
+    pub(crate) fn start_near(&self, target: DVec3, from: &[VertexId]) -> Option<PlacedVertex> {
+        let placed = from.iter().filter(|&&v| !self.is_on_arc(v)).map(|&v| &self.placed[v]);
+        let nearest = placed.min_by(|a, b| a.position.distance(target).total_cmp(&b.position.distance(target)))?;
         Some(self.domain.walked(nearest, target - nearest.position))
     }
 
@@ -196,20 +199,20 @@ impl<'a> Coarse<'a> {
                 face.corners.iter().for_each(|&v| self.stars[v].retain(|&g| g != f));
             }
         }
-        for &(v, spot, freedom) in &change.moved {
-            while self.spots.len() <= v.index() {
-                self.spots.push(spot);
+        for &(v, placed, freedom) in &change.moved {
+            while self.placed.len() <= v.index() {
+                self.placed.push(placed);
                 self.freedoms.push(freedom);
                 self.stars.push(Vec::new());
             }
-            (self.spots[v], self.freedoms[v]) = (spot, freedom);
+            (self.placed[v], self.freedoms[v]) = (placed, freedom);
         }
         for face in &change.new {
             face.corners.iter().for_each(|&v| self.stars[v].push(self.faces.len()));
             self.faces.push(Some(*face));
         }
-        for &(v, spot) in &relaxed.placed {
-            self.spots[v] = spot;
+        for &(v, placed) in &relaxed.placed {
+            self.placed[v] = placed;
         }
     }
 

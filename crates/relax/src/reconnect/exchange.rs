@@ -7,7 +7,7 @@ use mesh_core::VertexId;
 use rayon::prelude::*;
 use region_map::BaseEdit;
 
-/// Where the sizing field asks for less than this share of the full length no vertex is taken away: spot lost a limb that way.
+/// Where the sizing field asks for less than this share of the full length no vertex is taken away: the model spot lost a limb that way.
 const SPARE: f64 = 0.95;
 /// A vertex is put in between faces that exceed the least energy by more than this.
 const LEAST_WORTH: f64 = 1.0;
@@ -74,7 +74,7 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
     /// May a vertex be taken away? Where the surface turns all are needed, which the first subdivision does not tell of.
     fn is_spare(&self, v: VertexId) -> bool {
         let surface = self.coarse.domain.surface;
-        self.sizing.at(surface.mesh, self.coarse.spots[v].point) >= SPARE
+        self.sizing.at(surface.mesh(), self.coarse.placed[v].point) >= SPARE
     }
 
     fn cost_beside(&self, [a, b]: [VertexId; 2]) -> f64 {

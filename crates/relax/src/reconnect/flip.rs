@@ -1,7 +1,8 @@
 //! The flip of a base edge.
 
 use super::coarse::{BaseFace, Change, Coarse};
-use crate::domain::{CornerNormal, Freedom};
+use crate::corner_normal::CornerNormal;
+use crate::freedom::Freedom;
 use glam::DVec3;
 use mesh_core::VertexId;
 use region_map::BaseEdit;
@@ -26,8 +27,8 @@ pub(super) fn flip(coarse: &Coarse, [a, b]: [VertexId; 2]) -> Option<Change> {
         BaseFace { corners: [a, d, c], middles: [ad, middle, ca], normals: [[na, nd, nc], [nad, n, nca]], sheet },
         BaseFace { corners: [d, b, c], middles: [db, bc, middle], normals: [[nd, nb, nc], [ndb, nbc, n]], sheet },
     ];
-    let centre = [c, d, ad, ca, db, bc].iter().map(|&v| coarse.spots[v].position).sum::<DVec3>() / 6.0;
-    let spot = &coarse.spots[middle];
-    let moved = vec![(middle, coarse.domain.walked(spot, centre - spot.position), Freedom::Sheet)];
+    let centre = [c, d, ad, ca, db, bc].iter().map(|&v| coarse.placed[v].position).sum::<DVec3>() / 6.0;
+    let placed = &coarse.placed[middle];
+    let moved = vec![(middle, coarse.domain.walked(placed, centre - placed.position), Freedom::Sheet)];
     Some(Change { edit: BaseEdit::Flip([a, b]), corners: vec![a, b, c, d], old: vec![f, g], new, moved })
 }

@@ -2,9 +2,9 @@
 
 use super::coarse::{BaseFace, Change, Coarse, FaceIndex};
 use crate::ShapeOptions;
-use crate::domain::Freedom;
+use crate::freedom::Freedom;
 use crate::part::{Corners, Part};
-use crate::placement::Spot;
+use crate::placed_vertex::PlacedVertex;
 use crate::shape::{costs, optimise_shape};
 use mesh_core::{Id as _, VertexId};
 
@@ -14,7 +14,7 @@ pub(crate) struct RelaxedPart {
     /// The cost of every face: those of the region that stay, in order, then the new ones.
     pub(crate) costs: Vec<f64>,
     /// The places of all vertices that were free.
-    pub(crate) placed: Vec<(VertexId, Spot)>,
+    pub(crate) placed: Vec<(VertexId, PlacedVertex)>,
 }
 
 /// Relaxes a region (faces in rising order) after a change, with all held that faces outside have too. `None` where the region is no
@@ -24,11 +24,10 @@ pub(crate) fn relaxed(coarse: &Coarse, region: &[FaceIndex], change: &Change, op
     let triangles: Vec<Corners> = faces.iter().flat_map(BaseFace::parts).collect();
     let held = held(coarse, region);
     let is_held = |v| held.binary_search(&v).is_ok();
-    let part = Part::new(&triangles, |v| if is_held(v) { Freedom::Fixed } else { change.state(coarse, v).1 })?;
-    let domain = part.domain(coarse.domain);
+    let part = Part::new(coarse.domain, &triangles, |v| if is_held(v) { Freedom::Fixed } else { change.state(coarse, v).1 })?;
     let targets = faces.iter().flat_map(|f| [coarse.targets[f.sheet.index()]; 4]).collect();
-    let (placement, _) = optimise_shape(&domain, part.placement(|v| change.state(coarse, v).0), &targets, options);
-    let costs = costs(&domain, &placement, &targets, options).chunks(4).map(|parts| parts.iter().sum()).collect();
+    let (placement, _) = optimise_shape(&part.domain, part.placement(|v| change.state(coarse, v).0), &targets, options);
+    let costs = costs(&part.domain, &placement, &targets, options).chunks(4).map(|parts| parts.iter().sum()).collect();
     Some(RelaxedPart { costs, placed: part.moved(&placement) })
 }
 

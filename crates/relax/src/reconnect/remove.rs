@@ -1,7 +1,8 @@
 //! A base vertex taken away, its star filled with the triangles of the best shape.
 
 use super::coarse::{BaseFace, Change, Coarse, FaceIndex};
-use crate::domain::{CornerNormal, Freedom, Rail, RailEnd};
+use crate::corner_normal::CornerNormal;
+use crate::freedom::{ArcNeighbour, Freedom, OnArc};
 use mesh_core::{VertexId, cheapest_filling};
 use region_map::{BaseEdit, SheetId};
 
@@ -19,7 +20,7 @@ pub(super) fn removal(coarse: &Coarse, v: VertexId) -> Option<Change> {
         Freedom::Fixed => return None,
         Freedom::Sheet if sides.len() != 1 => return None,
         Freedom::Sheet => {}
-        Freedom::Rail(rail) => join(coarse, v, &rail, &mut change)?,
+        Freedom::Arc(on_arc) => join(coarse, v, &on_arc, &mut change)?,
     }
     let mut chords = Vec::new();
     for side in &sides {
@@ -106,7 +107,7 @@ impl Side {
                 if edge(i, j).is_none() && !inner.iter().any(|c| c.0 == [i, j]) {
                     let middle = *self.spokes.get(inner.len())?;
                     inner.push(([i, j], middle));
-                    let target = coarse.spots[corner(i)].position.midpoint(coarse.spots[corner(j)].position);
+                    let target = coarse.placed[corner(i)].position.midpoint(coarse.placed[corner(j)].position);
                     change.moved.push((middle, coarse.start_near(target, &self.spokes)?, Freedom::Sheet));
                     chords.push([corner(i).min(corner(j)), corner(i).max(corner(j))]);
                 }
@@ -131,30 +132,30 @@ impl Side {
 
     /// By the places that the base vertices have now.
     fn inverse_mean_ratio(&self, coarse: &Coarse, v: VertexId, t: [usize; 3]) -> f64 {
-        let normal = coarse.spots[v].normals[usize::from(matches!(self.normal, CornerNormal::Right))];
-        mesh_core::inverse_mean_ratio(t.map(|i| coarse.spots[self.corners[i].0].position), normal)
+        let normal = coarse.placed[v].normals[usize::from(matches!(self.normal, CornerNormal::Right))];
+        mesh_core::inverse_mean_ratio(t.map(|i| coarse.placed[self.corners[i].0].position), normal)
     }
 }
 
 /// Joins the neighbours of `v` on its arc: it becomes the middle of the edge between them. `None` where one joins them already.
-fn join(coarse: &Coarse, v: VertexId, rail: &Rail, change: &mut Change) -> Option<()> {
+fn join(coarse: &Coarse, v: VertexId, on_arc: &OnArc, change: &mut Change) -> Option<()> {
     // Between two base vertices there is a middle.
-    let beyond = |end: RailEnd, ahead: bool| match coarse.freedoms[end.vertex] {
-        Freedom::Rail(r) => {
+    let beyond = |end: ArcNeighbour, ahead: bool| match coarse.freedoms[end.vertex] {
+        Freedom::Arc(r) => {
             let (far, near) = if ahead { (r.ahead, r.behind) } else { (r.behind, r.ahead) };
-            Some((RailEnd { vertex: far.vertex, shift: far.shift + end.shift }, end.vertex, near.shift))
+            Some((ArcNeighbour { vertex: far.vertex, shift: far.shift + end.shift }, end.vertex, near.shift))
         }
         _ => None,
     };
-    let (behind, ahead) = (beyond(rail.behind, false)?, beyond(rail.ahead, true)?);
+    let (behind, ahead) = (beyond(on_arc.behind, false)?, beyond(on_arc.ahead, true)?);
     if behind.0.vertex == ahead.0.vertex || coarse.is_edge(behind.0.vertex, ahead.0.vertex) {
         return None;
     }
-    let ends = [behind, ahead].map(|(end, _, _)| coarse.spots[end.vertex].t + end.shift);
-    let joined = Rail { behind: behind.0, ahead: ahead.0, longest_gap: 2.0 * rail.longest_gap, ..*rail };
-    change.moved.push((v, coarse.domain.spot_on_arc(&joined, 0.5 * (ends[0] + ends[1])), Freedom::Rail(joined)));
+    let ends = [behind, ahead].map(|(end, _, _)| coarse.placed[end.vertex].t + end.shift);
+    let joined = OnArc { behind: behind.0, ahead: ahead.0, longest_gap: 2.0 * on_arc.longest_gap, ..*on_arc };
+    change.moved.push((v, coarse.domain.placed_on_arc(&joined, 0.5 * (ends[0] + ends[1])), Freedom::Arc(joined)));
     for (end, middle, back) in [behind, ahead] {
-        change.meet(coarse, end.vertex, middle, RailEnd { vertex: v, shift: back });
+        change.meet(coarse, end.vertex, middle, ArcNeighbour { vertex: v, shift: back });
     }
     Some(())
 }

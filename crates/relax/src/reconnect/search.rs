@@ -60,7 +60,7 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
             most_tries: options.tries * coarse.edges().len(),
             n_numbers: coarse.vertices().last().map_or(0, |v| v.index() + 1),
             changed: vec![0; coarse.faces.len()],
-            n_middles: coarse.spots.len(),
+            n_middles: coarse.placed.len(),
             numbers: FxHashMap::default(),
             rated: BTreeMap::new(),
             clock: 0,

@@ -1,8 +1,9 @@
 //! A new base vertex in the middle of an edge.
 
 use super::coarse::{BaseFace, Change, Coarse};
-use crate::domain::{CornerNormal, Freedom, Rail, RailEnd};
-use crate::placement::Spot;
+use crate::corner_normal::CornerNormal;
+use crate::freedom::{ArcNeighbour, Freedom, OnArc};
+use crate::placed_vertex::PlacedVertex;
 use mesh_core::{Id as _, VertexId};
 use region_map::BaseEdit;
 
@@ -27,7 +28,7 @@ pub(super) fn split(coarse: &Coarse, [a, b]: [VertexId; 2], first: usize) -> Opt
         change.new.push(part([middle, to, c], [ahead, bc, across], [[nm, nb, nc], [nm, nbc, n]]));
         change.old.push(f);
         change.corners.push(c);
-        let target = coarse.spots[middle].position.midpoint(coarse.spots[c].position);
+        let target = coarse.placed[middle].position.midpoint(coarse.placed[c].position);
         change.moved.push((across, coarse.start_near(target, &[middle, c, ca, bc])?, Freedom::Sheet));
     }
     halve(coarse, middle, [(a, to_a), (b, to_b)], &mut change);
@@ -36,43 +37,43 @@ pub(super) fn split(coarse: &Coarse, [a, b]: [VertexId; 2], first: usize) -> Opt
 
 /// Places the middles of the halves of an edge, between its own middle and its two ends.
 fn halve(coarse: &Coarse, middle: VertexId, halves: [(VertexId, VertexId); 2], change: &mut Change) {
-    let spot = coarse.spots[middle];
-    let Freedom::Rail(rail) = coarse.freedoms[middle] else {
+    let placed = coarse.placed[middle];
+    let Freedom::Arc(on_arc) = coarse.freedoms[middle] else {
         for (end, half) in halves {
-            let way = 0.5 * (coarse.spots[end].position - spot.position);
-            change.moved.push((half, coarse.domain.walked(&spot, way), Freedom::Sheet));
+            let way = 0.5 * (coarse.placed[end].position - placed.position);
+            change.moved.push((half, coarse.domain.walked(&placed, way), Freedom::Sheet));
         }
         return;
     };
     // Arc lengths of the halves are counted as those of the middle.
-    let here = |vertex: VertexId| RailEnd { vertex, shift: 0.0 };
-    let half_at = |end: RailEnd| halves.iter().find(|h| h.0 == end.vertex).map_or(end.vertex, |h| h.1);
-    let (behind, ahead) = (half_at(rail.behind), half_at(rail.ahead));
-    let [longest_gap, shortest_gap] = [rail.longest_gap, rail.shortest_gap].map(|gap| 0.5 * gap);
-    let rails = [
-        (behind, rail.behind, Rail { ahead: here(middle), longest_gap, shortest_gap, ..rail }),
-        (ahead, rail.ahead, Rail { behind: here(middle), longest_gap, shortest_gap, ..rail }),
+    let here = |vertex: VertexId| ArcNeighbour { vertex, shift: 0.0 };
+    let half_at = |end: ArcNeighbour| halves.iter().find(|h| h.0 == end.vertex).map_or(end.vertex, |h| h.1);
+    let (behind, ahead) = (half_at(on_arc.behind), half_at(on_arc.ahead));
+    let [longest_gap, shortest_gap] = [on_arc.longest_gap, on_arc.shortest_gap].map(|gap| 0.5 * gap);
+    let between = [
+        (behind, on_arc.behind, OnArc { ahead: here(middle), longest_gap, shortest_gap, ..on_arc }),
+        (ahead, on_arc.ahead, OnArc { behind: here(middle), longest_gap, shortest_gap, ..on_arc }),
     ];
-    for (half, end, rail) in rails {
-        let t = 0.5 * (spot.t + coarse.spots[end.vertex].t + end.shift);
-        change.moved.push((half, coarse.domain.spot_on_arc(&rail, t), Freedom::Rail(rail)));
+    for (half, end, on_arc) in between {
+        let t = 0.5 * (placed.t + coarse.placed[end.vertex].t + end.shift);
+        change.moved.push((half, coarse.domain.placed_on_arc(&on_arc, t), Freedom::Arc(on_arc)));
         change.meet(coarse, end.vertex, middle, here(half));
     }
-    let rail = Rail { behind: here(behind), ahead: here(ahead), longest_gap, shortest_gap, ..rail };
-    change.moved.push((middle, spot, Freedom::Rail(rail)));
+    let on_arc = OnArc { behind: here(behind), ahead: here(ahead), longest_gap, shortest_gap, ..on_arc };
+    change.moved.push((middle, placed, Freedom::Arc(on_arc)));
 }
 
 impl Change {
     /// Another neighbour for a vertex on an arc in the place of `old`, from whose arc lengths it differs by `new.shift`.
-    pub(super) fn meet(&mut self, coarse: &Coarse, v: VertexId, old: VertexId, new: RailEnd) {
-        let (spot, freedom): (Spot, Freedom) = self.state(coarse, v);
-        let Freedom::Rail(mut rail) = freedom else { return };
-        for end in [&mut rail.behind, &mut rail.ahead] {
+    pub(super) fn meet(&mut self, coarse: &Coarse, v: VertexId, old: VertexId, new: ArcNeighbour) {
+        let (placed, freedom): (PlacedVertex, Freedom) = self.state(coarse, v);
+        let Freedom::Arc(mut on_arc) = freedom else { return };
+        for end in [&mut on_arc.behind, &mut on_arc.ahead] {
             if end.vertex == old {
-                *end = RailEnd { vertex: new.vertex, shift: end.shift + new.shift };
+                *end = ArcNeighbour { vertex: new.vertex, shift: end.shift + new.shift };
             }
         }
         self.moved.retain(|m| m.0 != v);
-        self.moved.push((v, spot, Freedom::Rail(rail)));
+        self.moved.push((v, placed, Freedom::Arc(on_arc)));
     }
 }

@@ -3,154 +3,151 @@
 #![allow(unreachable_pub, reason = "a module that only tests see")]
 
 use glam::DVec3;
-use mesh_core::{FaceId, Id, IdVec, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId, walk};
-use region_map::{ArcId, ArcKind, ArcSpan, Attachment, CornerId, Network, RegionMap, SheetId, SheetNormals, Surface};
-use relax::{RelaxError, RelaxOptions, Relaxed, relax};
+use mesh_core::{FaceId, Id, IdVec, SurfacePoint, TriMesh, VertexId, walk};
+use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, RegionMap, Surface};
+use relax::{RelaxError, RelaxOptions, Relaxed, relax, relax_holding};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 #[derive(Clone)]
 pub struct Bed {
-    pub mesh: TriMesh,
-    pub topology: Topology,
-    pub network: Network,
-    pub normals: SheetNormals,
-    index: SurfaceIndex,
-    pub domain: TriMesh,
-    pub domain_topology: Topology,
-    pub map: RegionMap,
+    pub surface: Surface,
+    pub domain: Domain,
 }
 
 impl Bed {
     /// A working mesh with arcs where it bends by 40 degrees or more, and on its border; still without a domain.
     pub fn on(mesh: TriMesh) -> Self {
-        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let network = Network::trace(&mesh, &topology, &ArcKind::by_angle(&mesh, &topology, 40.0), |_| false, vec![]);
-        let normals = SheetNormals::new(&mesh, &topology, &network);
-        let domain = TriMesh::new(vec![], vec![]).unwrap();
-        let domain_topology = Topology::new(domain.faces(), 0).unwrap();
-        let map =
+        let surface = Surface::with_creases(mesh, 40.0).unwrap();
+        let region =
             RegionMap { attachments: IdVec::new(), points: IdVec::new(), sheet_of_face: IdVec::new(), spans: BTreeMap::new() };
-        Self { index: SurfaceIndex::new(&mesh), mesh, topology, network, normals, domain, domain_topology, map }
+        Self { surface, domain: Domain::new(TriMesh::new(vec![], vec![]).unwrap(), region).unwrap() }
     }
 
     /// With base faces between vertices at these places, subdivided.
     pub fn with_base(mut self, places: Vec<Place>, spans: Vec<(u32, u32, ArcSpan)>, faces: Vec<[u32; 3]>, levels: usize) -> Self {
+        let mut region = self.domain.region;
+        let (topology, network) = (self.surface.topology(), self.surface.network());
         for place in places {
             let (attachment, point) = match place {
                 Place::Corner(c) => {
-                    let h = self.topology.fan(self.network.corners[c]).next().unwrap();
+                    let h = topology.fan(network.corners[c]).next().unwrap();
                     (Attachment::Corner(c), SurfacePoint::at_corner(h.face(), h.corner()))
                 }
-                Place::Arc(arc, t) => (Attachment::Arc { arc, t }, self.network.arcs[arc].point(&self.topology, t)),
+                Place::Arc(arc, t) => (Attachment::Arc { arc, t }, network.arcs[arc].point(topology, t)),
                 Place::Near(p) => {
-                    let point = self.index.closest(p).unwrap().point();
-                    (Attachment::Sheet(self.network.sheet_of_face[point.face]), point)
+                    let point = self.surface.index().closest(p).unwrap().point();
+                    (Attachment::Sheet(network.sheet_of_face[point.face]), point)
                 }
             };
-            self.map.attachments.push(attachment);
-            self.map.points.push(point);
+            region.attachments.push(attachment);
+            region.points.push(point);
         }
         for (a, b, span) in spans {
-            self.map.insert_span(VertexId(a), VertexId(b), span);
+            region.insert_span(VertexId(a), VertexId(b), span);
         }
-        self.set_domain(faces);
-        self.map.sheet_of_face = self.domain.faces().ids().map(|f| self.sheet_near(self.domain.centroid(f))).collect();
+        let mesh = TriMesh::new(region.points.iter().map(|p| p.position(self.surface.mesh())).collect(), faces).unwrap();
+        let sheet_near = |p: DVec3| network.sheet_of_face[self.surface.index().closest(p).unwrap().face];
+        region.sheet_of_face = mesh.faces().ids().map(|f| sheet_near(mesh.centroid(f))).collect();
+        self.domain = Domain::new(mesh, region).unwrap();
         for _ in 0..levels {
             self.subdivide();
         }
         self
     }
 
-    fn sheet_near(&self, p: DVec3) -> SheetId {
-        self.network.sheet_of_face[self.index.closest(p).unwrap().face]
-    }
-
-    fn set_domain(&mut self, faces: Vec<[u32; 3]>) {
-        self.domain = TriMesh::new(self.map.points.iter().map(|p| p.position(&self.mesh)).collect(), faces).unwrap();
-        self.domain_topology = Topology::new(self.domain.faces(), self.domain.n_vertices()).unwrap();
-    }
-
     /// Splits every face in four in the contract's order. Midpoints on arcs go to the mean arc length, others to the closest
     /// point of their sheet.
     fn subdivide(&mut self) {
-        let n = self.domain.n_vertices() as u32;
-        let t = self.domain_topology.clone();
+        let Domain { mesh, topology: t, mut region } = self.domain.clone();
+        let (surface, network) = (&self.surface, self.surface.network());
+        let n = mesh.n_vertices() as u32;
         for e in t.edge_ids() {
             let [a, b] = t.ends(e);
             let v = VertexId(n + e.0);
-            let (attachment, point) = match self.map.spans.remove(&[a.min(b), a.max(b)]) {
+            let (attachment, point) = match region.spans.remove(&[a.min(b), a.max(b)]) {
                 Some(ArcSpan { arc, from, to }) => {
                     let middle = 0.5 * (from + to);
-                    self.map.insert_span(a.min(b), v, ArcSpan { arc, from, to: middle });
-                    self.map.insert_span(v, a.max(b), ArcSpan { arc, from: middle, to });
-                    let on = &self.network.arcs[arc];
-                    (Attachment::Arc { arc, t: on.normalise(middle) }, on.point(&self.topology, middle))
+                    region.insert_span(a.min(b), v, ArcSpan { arc, from, to: middle });
+                    region.insert_span(v, a.max(b), ArcSpan { arc, from: middle, to });
+                    let on = &network.arcs[arc];
+                    (Attachment::Arc { arc, t: on.normalise(middle) }, on.point(surface.topology(), middle))
                 }
                 None => {
-                    let sheet = self.map.sheet_of_face[t.halfedge(e).face()];
-                    let middle = self.domain.position(a).midpoint(self.domain.position(b));
-                    let inside = |f: FaceId| self.network.sheet_of_face[f] == sheet;
-                    (Attachment::Sheet(sheet), self.index.closest_where(middle, inside).unwrap().point())
+                    let sheet = region.sheet_of_face[t.halfedge(e).face()];
+                    let middle = mesh.position(a).midpoint(mesh.position(b));
+                    let inside = |f: FaceId| network.sheet_of_face[f] == sheet;
+                    (Attachment::Sheet(sheet), surface.index().closest_where(middle, inside).unwrap().point())
                 }
             };
-            self.map.attachments.push(attachment);
-            self.map.points.push(point);
+            region.attachments.push(attachment);
+            region.points.push(point);
         }
         let children = t.faces().enumerate().flat_map(|(f, [a, b, c])| {
             let [ab, bc, ca] = t.halfedges(f).map(|h| n + t.edge(h).0);
             [[a.0, ab, ca], [b.0, bc, ab], [c.0, ca, bc], [bc, ca, ab]]
         });
         let faces = children.collect();
-        self.map.sheet_of_face = self.map.sheet_of_face.iter().flat_map(|&s| [s; 4]).collect();
-        self.set_domain(faces);
+        region.sheet_of_face = region.sheet_of_face.iter().flat_map(|&s| [s; 4]).collect();
+        let mesh = TriMesh::new(region.points.iter().map(|p| p.position(surface.mesh())).collect(), faces).unwrap();
+        self.domain = Domain::new(mesh, region).unwrap();
     }
 
     /// Moves every vertex inside a sheet at random by up to `share` of the mean length of its edges.
     pub fn jitter(mut self, share: f64, seed: u64) -> Self {
         let mut random = Random(seed);
-        for v in self.map.vertices() {
+        let mut region = self.domain.region.clone();
+        for v in region.vertices() {
             let direction = DVec3::new(random.next() - 0.5, random.next() - 0.5, random.next() - 0.5).normalize_or_zero();
-            let ring: Vec<_> = self.domain_topology.one_ring(v).map(|w| self.domain.distance(v, w)).collect();
+            let ring: Vec<_> = self.domain.topology.one_ring(v).map(|w| self.domain.mesh.distance(v, w)).collect();
             let length = share * random.next() * ring.iter().sum::<f64>() / ring.len() as f64;
-            if let Attachment::Sheet(_) = self.map.attachments[v] {
-                let end =
-                    walk(&self.mesh, &self.topology, self.map.points[v], length * direction, |e| !self.network.is_barrier(e));
-                self.map.points[v] = end.end;
+            if let Attachment::Sheet(_) = region.attachments[v] {
+                region.points[v] = self.walked(region.points[v], length * direction);
             }
         }
-        let faces = self.domain.faces().iter().map(|f| f.map(|v| v.0)).collect();
-        self.set_domain(faces);
+        self.domain = self.domain.placed(&self.surface, region).unwrap();
         self
     }
 
-    pub fn surface(&self) -> Surface<'_> {
-        Surface { mesh: &self.mesh, topology: &self.topology, network: &self.network, normals: &self.normals }
+    /// The end of a walk inside a sheet.
+    pub fn walked(&self, from: SurfacePoint, way: DVec3) -> SurfacePoint {
+        let may_cross = |e| !self.surface.network().is_barrier(e);
+        walk(self.surface.mesh(), self.surface.topology(), from, way, may_cross).end
     }
 
     pub fn try_relax(&self, options: &RelaxOptions) -> Result<Relaxed, RelaxError> {
-        relax(&self.surface(), &self.domain, &self.domain_topology, &self.map, options)
+        relax(&self.surface, &self.domain, options)
     }
 
     /// Relaxes and checks what always holds.
     pub fn relax(&self, options: &RelaxOptions) -> Relaxed {
-        let relaxed = self.try_relax(options).unwrap();
-        relaxed.map.check(&self.domain_topology, &self.network).unwrap();
-        assert_eq!(relaxed.mesh.faces(), self.domain.faces());
-        for v in relaxed.map.vertices() {
-            let point = relaxed.map.points[v];
-            assert_eq!(relaxed.mesh.position(v), point.position(&self.mesh));
-            match relaxed.map.attachments[v] {
-                Attachment::Corner(_) => assert_eq!(point, self.map.points[v]),
-                Attachment::Sheet(s) => assert_eq!(self.network.sheet_of_face[point.face], s),
+        self.checked(self.try_relax(options).unwrap())
+    }
+
+    /// The same with vertices held.
+    pub fn relax_holding(&self, held: &[VertexId], options: &RelaxOptions) -> Relaxed {
+        self.checked(relax_holding(&self.surface, &self.domain, held, options).unwrap())
+    }
+
+    /// Checks what always holds of a relaxed domain.
+    pub fn checked(&self, relaxed: Relaxed) -> Relaxed {
+        let (surface, network, region) = (&self.surface, self.surface.network(), &relaxed.domain.region);
+        relaxed.domain.check(network).unwrap();
+        assert_eq!(relaxed.domain.mesh.faces(), self.domain.mesh.faces());
+        for v in region.vertices() {
+            let point = region.points[v];
+            assert_eq!(relaxed.domain.mesh.position(v), point.position(surface.mesh()));
+            match region.attachments[v] {
+                Attachment::Corner(_) => assert_eq!(point, self.domain.region.points[v]),
+                Attachment::Sheet(s) => assert_eq!(network.sheet_of_face[point.face], s),
                 Attachment::Arc { arc, t } => {
-                    let position = self.network.arcs[arc].position(&self.mesh, t);
-                    assert!(position.distance(relaxed.mesh.position(v)) < 1e-12);
+                    let position = network.arcs[arc].position(surface.mesh(), t);
+                    assert!(position.distance(relaxed.domain.mesh.position(v)) < 1e-12);
                 }
             }
         }
-        for (ends, span) in &relaxed.map.spans {
-            let before = self.map.spans[ends];
+        for (ends, span) in &region.spans {
+            let before = self.domain.region.spans[ends];
             assert!((span.to - span.from) * (before.to - before.from) > 0.0, "order on the arc");
         }
         let (start, end) = (relaxed.report.start, relaxed.report.end);
@@ -291,13 +288,14 @@ pub fn cube(n: u32, levels: usize) -> Bed {
         }
     }
     let bed = Bed::on(TriMesh::new(p, f).unwrap());
-    assert_eq!((bed.network.corners.len(), bed.network.arcs.len(), bed.network.n_sheets), (8, 12, 6));
-    let corners = &bed.network.corners;
-    let base = |p: DVec3| corners.ids().find(|&c| bed.mesh.position(corners[c]) == p).unwrap().0;
+    let network = bed.surface.network();
+    assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (8, 12, 6));
+    let corners = &network.corners;
+    let base = |p: DVec3| corners.ids().find(|&c| bed.surface.mesh().position(corners[c]) == p).unwrap().0;
     let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let at = |i: u32| base(DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2 & 1)));
     let faces = quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).map(|f| f.map(at)).collect();
-    let spans = bed.network.arcs.enumerate().map(|(id, arc)| {
+    let spans = bed.surface.network().arcs.enumerate().map(|(id, arc)| {
         let [a, b] = arc.corners.unwrap();
         (a.0, b.0, ArcSpan { arc: id, from: 0.0, to: arc.length() })
     });
@@ -326,13 +324,13 @@ pub fn frustum([bottom, top]: [f64; 2], height: f64, k: u32, levels: usize) -> B
         }
     }
     let bed = Bed::on(TriMesh::new(p, f).unwrap());
-    assert!(bed.network.arcs.len() == 2 && bed.network.arcs.iter().all(|a| a.is_loop()));
+    assert!(bed.surface.network().arcs.len() == 2 && bed.surface.network().arcs.iter().all(|a| a.is_loop()));
 
     let (mut places, mut spans, mut faces) = (Vec::new(), Vec::new(), Vec::new());
     // Both loops go round the same way or not: make the domain's rings do.
-    for (id, arc) in bed.network.arcs.enumerate() {
-        let first = arc.position(&bed.mesh, 0.0);
-        let ccw = first.cross(arc.position(&bed.mesh, 0.1 * arc.length())).z > 0.0;
+    for (id, arc) in bed.surface.network().arcs.enumerate() {
+        let first = arc.position(bed.surface.mesh(), 0.0);
+        let ccw = first.cross(arc.position(bed.surface.mesh(), 0.1 * arc.length())).z > 0.0;
         let start = k * id.0;
         let at = |i: u32| arc.length() * f64::from(if ccw { i } else { k - i }) / f64::from(k);
         for i in 0..k {
@@ -351,11 +349,12 @@ pub fn frustum([bottom, top]: [f64; 2], height: f64, k: u32, levels: usize) -> B
 /// All bytes of a result that matter.
 pub fn bytes(relaxed: &Relaxed) -> Vec<u64> {
     let points = relaxed
-        .map
+        .domain
+        .region
         .points
         .iter()
         .flat_map(|p| [p.face.index() as u64].into_iter().chain(p.barycentric.to_array().map(f64::to_bits)));
-    let spans = relaxed.map.spans.values().flat_map(|s| [s.from.to_bits(), s.to.to_bits()]);
-    let positions = relaxed.mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits));
+    let spans = relaxed.domain.region.spans.values().flat_map(|s| [s.from.to_bits(), s.to.to_bits()]);
+    let positions = relaxed.domain.mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits));
     points.chain(spans).chain(positions).collect()
 }

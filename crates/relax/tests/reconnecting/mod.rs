@@ -14,7 +14,7 @@ fn search(bed: &Bed, faces: &[[u32; 3]], sizing: &Sizing) -> Reconnected {
     let relaxed = bed.relax(&RelaxOptions::default());
     let (mut now, mut n) = (faces.to_vec(), faces.iter().flatten().max().unwrap() + 1);
     let options = ReconnectOptions::default();
-    let found = reconnect(&bed.surface(), sizing, &bed.domain_topology, &relaxed.map, &options, |edit| {
+    let found = reconnect(&bed.surface, &relaxed.domain, sizing, &options, |edit| {
         match edit {
             BaseEdit::Flip([a, b]) => now = flipped(&now, a.0, b.0),
             BaseEdit::Split([a, b]) => (now, n) = (split(&now, a.0, b.0, n), n + 1),
@@ -35,7 +35,7 @@ fn search(bed: &Bed, faces: &[[u32; 3]], sizing: &Sizing) -> Reconnected {
 }
 
 fn search_all(bed: &Bed, faces: &[[u32; 3]]) -> Reconnected {
-    search(bed, faces, &Sizing::uniform(&bed.mesh))
+    search(bed, faces, &Sizing::uniform(bed.surface.mesh()))
 }
 
 fn opposite(faces: &[[u32; 3]], from: u32, to: u32) -> u32 {
@@ -123,7 +123,7 @@ fn vertices_in_the_wrong_place_are_exchanged() {
     let count = |is: fn(&BaseEdit) -> bool| found.edits.iter().filter(|e| is(e)).count();
     let removals = count(|e| matches!(e, BaseEdit::Remove { .. }));
     assert!(removals > 0 && removals == count(|e| matches!(e, BaseEdit::Split(_))), "{found:?}");
-    let held = search(&bed, &faces, &Sizing { relative: bed.mesh.positions().ids().map(|_| 0.5).collect() });
+    let held = search(&bed, &faces, &Sizing { relative: bed.surface.mesh().positions().ids().map(|_| 0.5).collect() });
     assert!(held.edits.iter().all(|e| matches!(e, BaseEdit::Flip(_))), "{held:?}");
     assert!(found.energy[1] < held.energy[1] - 1.0, "{found:?} {held:?}");
 }
@@ -134,8 +134,8 @@ fn edges_on_arcs_are_not_flipped() {
     let relaxed = bed.relax(&RelaxOptions::default());
     // Seven vertices on each rim, in their order.
     let is_on_rim = |[a, b]: [u32; 2]| a.max(b) < 14 && a / 7 == b / 7 && matches!(a.abs_diff(b), 1 | 6);
-    let sizing = Sizing::uniform(&bed.mesh);
-    let found = reconnect(&bed.surface(), &sizing, &bed.domain_topology, &relaxed.map, &ReconnectOptions::default(), |edit| {
+    let sizing = Sizing::uniform(bed.surface.mesh());
+    let found = reconnect(&bed.surface, &relaxed.domain, &sizing, &ReconnectOptions::default(), |edit| {
         assert!(!matches!(edit, BaseEdit::Flip(e) if is_on_rim(e.map(|v| v.0))), "{edit:?}");
         true
     });
@@ -149,8 +149,8 @@ fn refused_edits_change_nothing() {
     let (positions, faces) = icosahedron();
     let faces = flipped(&faces, 0, 5);
     let bed = on_sphere(positions, &faces, 1);
-    let sizing = Sizing::uniform(&bed.mesh);
-    let found = reconnect(&bed.surface(), &sizing, &bed.domain_topology, &bed.map, &ReconnectOptions::default(), |_| false);
+    let sizing = Sizing::uniform(bed.surface.mesh());
+    let found = reconnect(&bed.surface, &bed.domain, &sizing, &ReconnectOptions::default(), |_| false);
     let found = found.unwrap();
     assert!(found.edits.is_empty() && found.energy[0] == found.energy[1], "{found:?}");
 }
@@ -171,7 +171,7 @@ fn the_search_is_the_same_on_one_and_two_threads() {
 fn a_domain_that_was_not_subdivided_is_refused() {
     let (positions, faces) = icosahedron();
     let bed = Bed::on(uv_sphere(24, 48)).with_base(positions.into_iter().map(Place::Near).collect(), vec![], faces, 0);
-    let sizing = Sizing::uniform(&bed.mesh);
-    let found = reconnect(&bed.surface(), &sizing, &bed.domain_topology, &bed.map, &ReconnectOptions::default(), |_| true);
+    let sizing = Sizing::uniform(bed.surface.mesh());
+    let found = reconnect(&bed.surface, &bed.domain, &sizing, &ReconnectOptions::default(), |_| true);
     assert_eq!(found, Err(RelaxError::NotSubdivided));
 }

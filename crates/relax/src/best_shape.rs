@@ -1,0 +1,51 @@
+//! Shape optimisation that never ends with less than it began with.
+
+use crate::mend::Mender;
+use crate::placement::Placement;
+use crate::shape::optimise_shape;
+use crate::{Quality, ShapeOptions};
+use mesh_core::{FaceId, IdVec};
+
+/// What the optimisation of a placement came to.
+pub(crate) struct BestShape {
+    pub(crate) placement: Placement,
+    pub(crate) quality: Quality,
+    /// Newton steps of all attempts.
+    pub(crate) steps: usize,
+}
+
+/// The start with optimised shapes, or itself where it was better. Of its mean quality it may give up `slack`.
+pub(crate) fn best_shape(
+    mender: &Mender,
+    targets: &IdVec<FaceId, f64>,
+    start: Placement,
+    slack: f64,
+    options: &ShapeOptions,
+) -> BestShape {
+    let domain = mender.domain;
+    let start_quality = Quality::of(&start, domain);
+    let mut best = shaped_and_mended(mender, targets, &start, options);
+    if best.quality.inverted > 0 {
+        // Untangling moves far; where it fails, the start may have been nearer to a sound mesh.
+        let smooth_only = ShapeOptions { untangling_steps: 0, ..options.clone() };
+        let mut mended = start.clone();
+        mender.mend_folds(&mut mended);
+        let other = shaped_and_mended(mender, targets, &mended, &smooth_only);
+        let steps = best.steps + other.steps;
+        best = if other.quality.is_better_than(&best.quality) { other } else { best };
+        best.steps = steps;
+    }
+    let end_at_least = Quality { ar_mean: best.quality.ar_mean + slack, ..best.quality };
+    if start_quality.is_better_than(&end_at_least) {
+        best = BestShape { placement: start, quality: start_quality, ..best };
+    }
+    best
+}
+
+/// Shape optimisation, and then the mending of what it left folded.
+fn shaped_and_mended(mender: &Mender, targets: &IdVec<FaceId, f64>, start: &Placement, options: &ShapeOptions) -> BestShape {
+    let (mut placement, steps) = optimise_shape(mender.domain, start.clone(), targets, options);
+    mender.mend_folds(&mut placement);
+    let quality = Quality::of(&placement, mender.domain);
+    BestShape { placement, quality, steps }
+}

@@ -1,0 +1,80 @@
+//! The domain as the relaxation sees it: what each vertex is free to do, and which side of its arc each face lies on.
+
+use crate::RelaxError;
+use crate::corner_normal::{CornerNormal, corner_normals};
+use crate::freedom::Freedom;
+use glam::DVec3;
+use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
+use rayon::prelude::*;
+use region_map::{Domain, Surface};
+use std::sync::Arc as Shared;
+
+/// A vertex inside a sheet moves this many mean edges in a step at most. While triangles are inverted, steps of thousands of diagonals
+/// come up, and a walk that long goes round and round (crank_cse: minutes).
+const LONGEST_MOVE: f64 = 4.0;
+
+/// What never changes while the vertices move.
+pub(crate) struct MovableDomain<'a> {
+    pub(crate) surface: &'a Surface,
+    pub(crate) topology: Shared<Topology>,
+    /// What every vertex is free to do.
+    pub(crate) freedoms: IdVec<VertexId, Freedom>,
+    /// Which normal each face takes at each of its corners.
+    pub(crate) normals: IdVec<HalfedgeId, CornerNormal>,
+    /// No vertex inside a sheet moves farther in a step.
+    pub(crate) longest_move: f64,
+}
+
+impl<'a> MovableDomain<'a> {
+    /// Checks the domain and works out what its vertices may do.
+    pub(crate) fn new(surface: &'a Surface, domain: &Domain) -> Result<Self, RelaxError> {
+        domain.check(surface.network())?;
+        let topology = domain.topology.clone();
+        let freedoms: Vec<Freedom> =
+            domain.region.vertices().map(|v| Freedom::new(surface, domain, v)).collect::<Result<_, _>>()?;
+        let freedoms = IdVec::from_vec(freedoms);
+        let normals = corner_normals(surface, domain, &freedoms);
+        let mean_edge = (surface.mesh().total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
+        Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
+    }
+
+    /// Something of every face, in order.
+    pub(crate) fn of_faces<T: Send>(&self, value: impl Fn(FaceId) -> T + Sync + Send) -> Vec<T> {
+        let faces: Vec<FaceId> = self.topology.faces().ids().collect();
+        faces.into_par_iter().map(value).collect()
+    }
+
+    /// Holds some vertices inside sheets where they are. Fails for one that is not there.
+    pub(crate) fn hold(&mut self, held: &[VertexId]) -> Result<(), RelaxError> {
+        for &v in held {
+            match self.freedoms.get(v) {
+                None => return Err(RelaxError::NoSuchVertex(v)),
+                Some(Freedom::Sheet) => self.freedoms[v] = Freedom::Fixed,
+                Some(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of
+    /// the arcs. `normals` gives both sides at a vertex.
+    pub(crate) fn reference_normal(&self, f: FaceId, normals: impl Fn(VertexId) -> [DVec3; 2]) -> DVec3 {
+        let (mut free, mut sectors) = (DVec3::ZERO, DVec3::ZERO);
+        for (c, v) in self.topology.face(f).into_iter().enumerate() {
+            match self.normals[HalfedgeId::of(f, c)] {
+                CornerNormal::Left => free += normals(v)[0],
+                CornerNormal::Right => free += normals(v)[1],
+                CornerNormal::Sector(n) => sectors += n,
+            }
+        }
+        free.try_normalize().unwrap_or_else(|| sectors.normalize_or_zero())
+    }
+
+    /// The faces around some vertices, in order.
+    pub(crate) fn fans(&self, vertices: &[VertexId]) -> Vec<FaceId> {
+        let mut faces: Vec<FaceId> = vertices.iter().flat_map(|&v| self.topology.fan(v).map(HalfedgeId::face)).collect();
+        faces.sort_unstable();
+        faces.dedup();
+        faces
+    }
+}
