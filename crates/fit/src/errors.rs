@@ -1,8 +1,10 @@
 //! How far domain and input are apart.
 
 use crate::pairs::{Pair, Pairs};
+use glam::DVec3;
 use mesh_core::{FaceId, SurfaceIndex, TriMesh};
 use rayon::prelude::*;
+use region_map::Surface;
 use std::cell::OnceCell;
 
 /// Distances between domain and input, in the units of the mesh: of both directions the greater one.
@@ -20,15 +22,14 @@ const HIDDEN: f64 = 1e-4;
 /// The true distances of samples: to the closest point anywhere, not only in the sheet. They are never greater than those of the pairs,
 /// and only asked for where it matters.
 pub(crate) struct Truth<'a> {
-    input: &'a TriMesh,
+    surface: &'a Surface,
     domain: &'a TriMesh,
-    input_index: &'a OnceCell<SurfaceIndex>,
     domain_index: OnceCell<SurfaceIndex>,
 }
 
 impl<'a> Truth<'a> {
-    pub(crate) fn new(input: &'a TriMesh, input_index: &'a OnceCell<SurfaceIndex>, domain: &'a TriMesh) -> Self {
-        Self { input, domain, input_index, domain_index: OnceCell::new() }
+    pub(crate) fn new(surface: &'a Surface, domain: &'a TriMesh) -> Self {
+        Self { surface, domain, domain_index: OnceCell::new() }
     }
 
     /// Mean and greatest distance. Where pairs are not sound, the true distance counts.
@@ -63,16 +64,17 @@ impl<'a> Truth<'a> {
     /// The domain faces whose normal opposes that of the input at the point closest to their middle, in rising order. Where a sound pair is
     /// so near that no other sheet can hide it, the input is not asked.
     pub(crate) fn turned_faces(&self, pairs: &Pairs) -> Vec<FaceId> {
-        let hidden = HIDDEN * self.input.diagonal();
+        let input = self.surface.mesh();
+        let hidden = HIDDEN * input.diagonal();
         let chosen = (0..pairs.forward.len()).filter(|&i| {
             let pair = &pairs.forward[i];
             pair.is_middle() && (!pair.is_sound || pair.distance > hidden)
         });
         let middle = |i: usize| pairs.forward[i].domain.position(self.domain);
-        let closest = self.measure(chosen.collect(), self.input, self.input_index, middle);
+        let closest = measure(chosen.collect(), || self.surface.index(), middle);
         let opposed = closest.into_iter().filter_map(|(i, face, _)| {
             let own = pairs.forward[i].domain.face;
-            (self.domain.normal(own).dot(self.input.normal(face)) < 0.0).then_some(own)
+            (self.domain.normal(own).dot(input.normal(face)) < 0.0).then_some(own)
         });
         opposed.collect()
     }
@@ -95,24 +97,24 @@ impl<'a> Truth<'a> {
         let chosen =
             [&pairs.forward, &pairs.backward].map(|pairs| (0..pairs.len()).filter(|&i| which(&pairs[i])).collect::<Vec<usize>>());
         let [forward, backward] = chosen;
+        let domain_index = || self.domain_index.get_or_init(|| SurfaceIndex::new(self.domain));
         [
-            self.measure(forward, self.input, self.input_index, |i| pairs.forward[i].domain.position(self.domain)),
-            self.measure(backward, self.domain, &self.domain_index, |i| pairs.backward[i].input.position(self.input)),
+            measure(forward, || self.surface.index(), |i| pairs.forward[i].domain.position(self.domain)),
+            measure(backward, domain_index, |i| pairs.backward[i].input.position(self.surface.mesh())),
         ]
     }
+}
 
-    fn measure(
-        &self,
-        chosen: Vec<usize>,
-        to: &TriMesh,
-        index: &OnceCell<SurfaceIndex>,
-        position: impl Fn(usize) -> glam::DVec3 + Sync,
-    ) -> Vec<(usize, FaceId, f64)> {
-        if chosen.is_empty() {
-            return Vec::new();
-        }
-        let index = index.get_or_init(|| SurfaceIndex::new(to));
-        let measured = chosen.into_par_iter().filter_map(|i| index.closest(position(i)).map(|c| (i, c.face, c.distance)));
-        measured.collect()
+/// The closest points to the positions of some pairs, on a mesh whose index is only built when there is a pair.
+fn measure<'a>(
+    chosen: Vec<usize>,
+    index: impl FnOnce() -> &'a SurfaceIndex,
+    position: impl Fn(usize) -> DVec3 + Sync,
+) -> Vec<(usize, FaceId, f64)> {
+    if chosen.is_empty() {
+        return Vec::new();
     }
+    let index = index();
+    let measured = chosen.into_par_iter().filter_map(|i| index.closest(position(i)).map(|c| (i, c.face, c.distance)));
+    measured.collect()
 }

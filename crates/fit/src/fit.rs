@@ -7,9 +7,8 @@ use crate::system::{Element, System};
 use crate::terrain::Terrain;
 use crate::{Errors, FitError, FitOptions};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, Id as _, IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
-use region_map::{Attachment, RegionMap, Surface};
-use std::cell::OnceCell;
+use mesh_core::{EdgeId, FaceId, Id as _, IdVec, TriMesh, VertexId};
+use region_map::{Attachment, Domain, RegionMap, Surface};
 
 /// Weight of "stay where the relaxation left you" against that of the samples: enough for vertices that hardly a sample speaks for.
 const HOLD: f64 = 1e-3;
@@ -37,10 +36,8 @@ const MOST_RETREATS: usize = 12;
 /// A domain whose vertices are next to the surface.
 #[derive(Clone, Debug)]
 pub struct Fitted {
-    /// The domain, its vertices at their surface points plus offset times normal.
-    pub mesh: TriMesh,
-    /// The map with new points.
-    pub map: RegionMap,
+    /// The domain with new points, its vertices at these points plus offset times normal.
+    pub domain: Domain,
     /// Offset of every vertex along the surface's normal at its point (`SheetNormals::at`), in the units of the mesh, positive outwards; 0
     /// at corners and on arcs.
     pub offsets: IdVec<VertexId, f64>,
@@ -66,61 +63,64 @@ pub struct FitReport {
 /// Moves the vertices inside sheets so that the distances between domain and surface, both ways, are least: along the surface's normals,
 /// and a little over the surface. Vertices at corners and on arcs stay.
 ///
-/// Vertices start at the points of `map`, where `domain` has to have them. No triangle turns over or loses more quality than the options
-/// allow, and the greatest distance does not grow. Where the mean distance hardly falls, the domain stays as it is.
+/// Vertices start at the points of the domain's region map, where its mesh has to have them. No triangle turns over or loses more quality
+/// than the options allow, and the greatest distance does not grow. Where the mean distance hardly falls, the domain stays as it is.
 ///
-/// Fails when the map does not fit the domain or the surface.
-pub fn fit(
-    surface: &Surface,
-    domain: &TriMesh,
-    topology: &Topology,
-    map: &RegionMap,
-    options: &FitOptions,
-) -> Result<Fitted, FitError> {
-    check(surface, topology, map)?;
-    if let Some(&f) = options.still.iter().find(|f| f.index() >= domain.n_faces()) {
+/// Fails where the domain does not fit the surface, or a vertex is outside of its sheet.
+pub fn fit(surface: &Surface, domain: &Domain, options: &FitOptions) -> Result<Fitted, FitError> {
+    fit_holding(surface, domain, &[], options)
+}
+
+/// As [`fit`], and the vertices of the faces in `still` stay where they are.
+///
+/// Fails as [`fit`] does, and where the domain has no such face.
+pub fn fit_holding(surface: &Surface, domain: &Domain, still: &[FaceId], options: &FitOptions) -> Result<Fitted, FitError> {
+    check(surface, domain)?;
+    if let Some(&f) = still.iter().find(|f| f.index() >= domain.mesh.n_faces()) {
         return Err(FitError::NoFace(f));
     }
-    let is_barrier = surface.topology.edge_ids().map(|e| surface.network.is_barrier(e)).collect();
-    let is_span = topology.edge_ids().map(|e| topology.ends(e)).map(|[a, b]| map.span(a, b).is_some()).collect();
-    let input = Terrain { mesh: surface.mesh, topology: surface.topology, barriers: &is_barrier };
-    let fitter = Fitter { surface, input, domain, topology, barriers: &is_span, input_index: OnceCell::new(), options };
+    let Domain { mesh: start_mesh, topology, region } = domain;
+    let is_barrier = surface.topology().edge_ids().map(|e| surface.network().is_barrier(e)).collect();
+    let is_span = topology.edge_ids().map(|e| topology.ends(e)).map(|[a, b]| region.span(a, b).is_some()).collect();
+    let input = Terrain { mesh: surface.mesh(), topology: surface.topology(), barriers: &is_barrier };
+    let fitter = Fitter { surface, input, domain, barriers: &is_span, options };
 
-    let mut pairs = Pairs::new(surface, map, &input, &fitter.terrain(domain));
-    let truth = fitter.truth(domain);
+    let mut pairs = Pairs::new(surface, region, &input, &fitter.terrain(start_mesh));
+    let truth = Truth::new(surface, start_mesh);
     let (start, turned) = (truth.errors(&pairs), truth.turned_faces(&pairs));
-    let guard = ShapeGuard::new(domain, topology, normals_below(surface, domain, &pairs), options.quality_loss);
-    let first = Placement::new(surface, domain, map);
+    let guard = ShapeGuard::new(start_mesh, topology, normals_below(surface, start_mesh, &pairs), options.quality_loss);
+    let first = Placement::new(surface, domain);
 
     let mut now = fitter.improve(&first, &guard, &mut pairs)?;
     let retreat = |now: &mut Placement, pairs: &mut Pairs, faces: &[FaceId], round: usize| -> Result<(), FitError> {
-        now.take_back(domain, &first, faces, round);
+        now.take_back(start_mesh, &first, faces, round);
         guard.hold(now, &first);
-        pairs.follow(&input, &fitter.terrain(&now.mesh(domain)?));
+        pairs.follow(&input, &fitter.terrain(&now.mesh(start_mesh)?));
         Ok(())
     };
-    if !options.still.is_empty() {
-        retreat(&mut now, &mut pairs, &options.still, HALVINGS)?;
+    if !still.is_empty() {
+        retreat(&mut now, &mut pairs, still, HALVINGS)?;
     }
     for round in 0..MOST_RETREATS {
-        let mesh = now.mesh(domain)?;
-        let truth = fitter.truth(&mesh);
+        let mesh = now.mesh(start_mesh)?;
+        let truth = Truth::new(surface, &mesh);
         let mut bad = truth.faces_beyond(&pairs, start.max);
         bad.extend(truth.turned_faces(&pairs).into_iter().filter(|f| turned.binary_search(f).is_err()));
         if bad.is_empty() {
-            return fitter.finish(map, now, mesh.clone(), start, truth.errors(&pairs));
+            let end = truth.errors(&pairs);
+            return Ok(fitter.finish(now, mesh, start, end));
         }
         retreat(&mut now, &mut pairs, &bad, round)?;
     }
-    fitter.finish(map, first, domain.clone(), start, start)
+    Ok(fitter.finish(first, start_mesh.clone(), start, start))
 }
 
-/// The map fits the domain and the surface.
-fn check(surface: &Surface, topology: &Topology, map: &RegionMap) -> Result<(), FitError> {
-    map.check(topology, surface.network)?;
-    for (v, attachment) in map.attachments.enumerate() {
+/// The domain fits the surface, and its vertices are inside their sheets.
+fn check(surface: &Surface, domain: &Domain) -> Result<(), FitError> {
+    domain.check(surface.network())?;
+    for (v, attachment) in domain.region.attachments.enumerate() {
         if let Attachment::Sheet(sheet) = attachment
-            && surface.network.sheet_of_face[map.points[v].face] != *sheet
+            && surface.network().sheet_of_face[domain.region.points[v].face] != *sheet
         {
             return Err(FitError::OtherSheet(v));
         }
@@ -132,40 +132,34 @@ fn check(surface: &Surface, topology: &Topology, map: &RegionMap) -> Result<(), 
 fn normals_below(surface: &Surface, domain: &TriMesh, pairs: &Pairs) -> IdVec<FaceId, DVec3> {
     let mut normals = IdVec::filled(DVec3::ZERO, domain.n_faces());
     for pair in &pairs.forward {
-        normals[pair.domain.face] += surface.mesh.normal(pair.input.face);
+        normals[pair.domain.face] += surface.mesh().normal(pair.input.face);
     }
     normals
 }
 
 /// What stays the same over the rounds.
 struct Fitter<'a> {
-    surface: &'a Surface<'a>,
+    surface: &'a Surface,
     input: Terrain<'a>,
     /// With the vertices where they start.
-    domain: &'a TriMesh,
-    topology: &'a Topology,
+    domain: &'a Domain,
     barriers: &'a IdVec<EdgeId, bool>,
-    input_index: OnceCell<SurfaceIndex>,
     options: &'a FitOptions,
 }
 
 impl Fitter<'_> {
     fn terrain<'b>(&'b self, mesh: &'b TriMesh) -> Terrain<'b> {
-        Terrain { mesh, topology: self.topology, barriers: self.barriers }
-    }
-
-    fn truth<'b>(&'b self, mesh: &'b TriMesh) -> Truth<'b> {
-        Truth::new(self.input.mesh, &self.input_index, mesh)
+        Terrain { mesh, topology: &self.domain.topology, barriers: self.barriers }
     }
 
     /// All rounds: first with sliding, then without.
     fn improve(&self, first: &Placement, guard: &ShapeGuard, pairs: &mut Pairs) -> Result<Placement, FitError> {
-        let edges = mean_edges(self.domain, self.topology);
+        let edges = mean_edges(self.domain);
         let reach = self.options.reach;
         let (mut now, mut shape) = (first.clone(), SHAPE);
         for round in 0..self.options.slides + self.options.rises {
             let slides = round < self.options.slides;
-            let mesh = now.mesh(self.domain)?;
+            let mesh = now.mesh(&self.domain.mesh)?;
             let displacements = self.solve(&now, &mesh, pairs, slides.then_some(shape));
             let moved = |slide: f64| {
                 let mut next = now.displaced(self.surface, &displacements, &edges, slide, reach);
@@ -178,7 +172,7 @@ impl Fitter<'_> {
             // Cheap so far: the next round may bend the triangles more.
             shape *= if slid.as_ref().is_some_and(|(length, _)| *length == 1.0) { SOFTER } else { 1.0 };
             now = slid.map_or_else(|| moved(0.0), |(_, next)| next);
-            pairs.follow(&self.input, &self.terrain(&now.mesh(self.domain)?));
+            pairs.follow(&self.input, &self.terrain(&now.mesh(&self.domain.mesh)?));
         }
         Ok(now)
     }
@@ -196,26 +190,26 @@ impl Fitter<'_> {
                 let weight = pair.area * (small / (way.abs() + small)).powf(ROBUSTNESS);
                 element.ask(pair.domain.barycentric, normal, way, weight);
             }
-            let area = 2.0 * self.domain.area(f);
-            let moved = mesh.face(f).map(|v| mesh.position(v) - self.domain.position(v));
+            let area = 2.0 * self.domain.mesh.area(f);
+            let moved = mesh.face(f).map(|v| mesh.position(v) - self.domain.mesh.position(v));
             element.hold(moved, shape.unwrap_or(0.0) * area, HOLD * area);
             element
         };
-        let system = System::new(self.topology, now.freedoms(shape.is_some()), element);
+        let system = System::new(&self.domain.topology, now.freedoms(shape.is_some()), element);
         system.solve(TOLERANCE, MOST_ITERATIONS)
     }
 
     /// The result, or the domain as it was where the fit does not pay.
-    fn finish(&self, map: &RegionMap, now: Placement, mesh: TriMesh, start: Errors, end: Errors) -> Result<Fitted, FitError> {
+    fn finish(&self, now: Placement, mesh: TriMesh, start: Errors, end: Errors) -> Fitted {
         let is_exact = start.mean <= ROUNDING * self.input.mesh.diagonal();
         let used = !is_exact && end.max <= start.max && end.mean < (1.0 - self.options.least_gain) * start.mean;
         if !used {
-            let offsets = IdVec::filled(0.0, self.domain.n_vertices());
+            let offsets = IdVec::filled(0.0, self.domain.mesh.n_vertices());
             let report = FitReport { start, end, ..FitReport::default() };
-            return Ok(Fitted { mesh: self.domain.clone(), map: map.clone(), offsets, report });
+            return Fitted { domain: self.domain.clone(), offsets, report };
         }
         let offsets: IdVec<VertexId, f64> = now.0.iter().map(|spot| spot.height).collect();
-        let map = RegionMap { points: now.0.iter().map(|spot| spot.point).collect(), ..map.clone() };
+        let region = RegionMap { points: now.0.iter().map(|spot| spot.point).collect(), ..self.domain.region.clone() };
         let report = FitReport {
             used,
             start,
@@ -223,6 +217,6 @@ impl Fitter<'_> {
             mean_offset: offsets.iter().map(|h| h.abs()).sum::<f64>() / offsets.len().max(1) as f64,
             max_offset: offsets.iter().map(|h| h.abs()).fold(0.0, f64::max),
         };
-        Ok(Fitted { mesh, map, offsets, report })
+        Fitted { domain: Domain { mesh, topology: self.domain.topology.clone(), region }, offsets, report }
     }
 }

@@ -1,7 +1,5 @@
 //! Options of the fit.
 
-use mesh_core::FaceId;
-
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitOptions {
@@ -18,20 +16,10 @@ pub struct FitOptions {
     pub mean_quality_loss: f64,
     /// By what share the mean distance has to fall for the fit to be used, 0 to 1. Default 0.02.
     pub least_gain: f64,
-    /// Faces of the domain whose vertices stay where they are. Default none.
-    pub still: Vec<FaceId>,
 }
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self {
-            slides: 2,
-            rises: 1,
-            reach: 0.25,
-            quality_loss: 0.1,
-            mean_quality_loss: 0.002,
-            least_gain: 0.02,
-            still: Vec::new(),
-        }
+        Self { slides: 2, rises: 1, reach: 0.25, quality_loss: 0.1, mean_quality_loss: 0.002, least_gain: 0.02 }
     }
 }

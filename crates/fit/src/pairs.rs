@@ -49,10 +49,10 @@ pub(crate) struct Pairs {
 
 impl Pairs {
     /// Samples of both, each with its place.
-    pub(crate) fn new(surface: &Surface, map: &RegionMap, input: &Terrain, domain: &Terrain) -> Self {
+    pub(crate) fn new(surface: &Surface, region: &RegionMap, input: &Terrain, domain: &Terrain) -> Self {
         let faces: Vec<FaceId> = domain.mesh.faces().ids().collect();
         let on_face = |f: FaceId| {
-            let starts = starts(surface, map, domain.mesh.face(f), map.sheet_of_face[f]);
+            let starts = starts(surface, region, domain.mesh.face(f), region.sheet_of_face[f]);
             SAMPLES.map(|barycentric| {
                 let area = domain.mesh.area(f) / SAMPLES.len() as f64;
                 let sample = SurfacePoint { face: f, barycentric };
@@ -63,7 +63,7 @@ impl Pairs {
         let back = samples_of_input(input.mesh, SAMPLES_BACK * domain.mesh.n_faces());
         let seeds = Seeds::new(input, domain.mesh, &forward);
         let backward = back.into_par_iter().map(|(sample, area)| seeds.pair(input, domain, sample, area)).collect();
-        forward.extend(vertex_pairs(map, domain));
+        forward.extend(vertex_pairs(region, domain));
         let mut pairs = Self { forward, backward };
         pairs.follow(input, domain);
         pairs
@@ -155,19 +155,19 @@ impl Pair {
 }
 
 /// Input faces of a sheet that the corners of a domain face are on.
-fn starts(surface: &Surface, map: &RegionMap, corners: [VertexId; 3], sheet: SheetId) -> Vec<FaceId> {
+fn starts(surface: &Surface, region: &RegionMap, corners: [VertexId; 3], sheet: SheetId) -> Vec<FaceId> {
     let mut starts = Vec::new();
     for v in corners {
-        match map.attachments[v] {
-            Attachment::Sheet(_) => starts.push(map.points[v].face),
+        match region.attachments[v] {
+            Attachment::Sheet(_) => starts.push(region.points[v].face),
             Attachment::Arc { arc, t } => {
-                let sides = surface.network.arcs[arc].sides(surface.topology, t);
+                let sides = surface.network().arcs[arc].sides(surface.topology(), t);
                 starts.extend(sides.into_iter().flatten().map(HalfedgeId::face));
             }
-            Attachment::Corner(c) => starts.extend(surface.topology.fan(surface.network.corners[c]).map(HalfedgeId::face)),
+            Attachment::Corner(c) => starts.extend(surface.topology().fan(surface.network().corners[c]).map(HalfedgeId::face)),
         }
     }
-    starts.retain(|&f| surface.network.sheet_of_face[f] == sheet);
+    starts.retain(|&f| surface.network().sheet_of_face[f] == sheet);
     starts
 }
 
@@ -182,12 +182,12 @@ fn first_pair(input: &Terrain, domain: &Terrain, starts: &[FaceId], sample: Surf
 }
 
 /// The vertices inside sheets.
-fn vertex_pairs(map: &RegionMap, domain: &Terrain) -> Vec<Pair> {
-    let free = map.vertices().filter(|&v| matches!(map.attachments[v], Attachment::Sheet(_)));
+fn vertex_pairs(region: &RegionMap, domain: &Terrain) -> Vec<Pair> {
+    let free = region.vertices().filter(|&v| matches!(region.attachments[v], Attachment::Sheet(_)));
     let pair = |v: VertexId| {
         let h = domain.topology.fan(v).next()?;
         let sample = SurfacePoint::at_corner(h.face(), h.corner());
-        Some(Pair { domain: sample, input: map.points[v], area: 0.0, distance: 0.0, is_sound: false })
+        Some(Pair { domain: sample, input: region.points[v], area: 0.0, distance: 0.0, is_sound: false })
     };
     free.filter_map(pair).collect()
 }

@@ -4,7 +4,7 @@ use crate::system::Freedom;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, MeshError, SurfacePoint, Topology, TriMesh, VertexId, walk};
 use rayon::prelude::*;
-use region_map::{Attachment, RegionMap, Surface};
+use region_map::{Attachment, Domain, Surface};
 
 /// How far a vertex may slide over the surface in one round, as a share of the mean length of its edges.
 const SLIDE: f64 = 0.2;
@@ -33,16 +33,16 @@ pub(crate) struct Placement(pub(crate) IdVec<VertexId, Spot>);
 
 impl Placement {
     /// On the surface; only vertices inside sheets have a normal.
-    pub(crate) fn new(surface: &Surface, domain: &TriMesh, map: &RegionMap) -> Self {
+    pub(crate) fn new(surface: &Surface, Domain { mesh, region, .. }: &Domain) -> Self {
         let spot = |v: VertexId| {
-            let point = map.points[v];
-            let normal = match map.attachments[v] {
-                Attachment::Sheet(_) => surface.normals.at(point),
+            let point = region.points[v];
+            let normal = match region.attachments[v] {
+                Attachment::Sheet(_) => surface.normals().at(point),
                 _ => DVec3::ZERO,
             };
-            Spot { point, foot: domain.position(v), normal, height: 0.0 }
+            Spot { point, foot: mesh.position(v), normal, height: 0.0 }
         };
-        Self(map.vertices().map(spot).collect())
+        Self(region.vertices().map(spot).collect())
     }
 
     /// Displaced: along the surface by walking inside the sheet, where `slides` says so, and by heights within their limits.
@@ -54,7 +54,7 @@ impl Placement {
         slide: f64,
         reach: f64,
     ) -> Self {
-        let may_cross = |e| !surface.network.is_barrier(e);
+        let may_cross = |e| !surface.network().is_barrier(e);
         let spot = |i: usize| {
             let v = VertexId::new(i);
             let (mut spot, displacement) = (self.0[v], displacements[v]);
@@ -65,10 +65,10 @@ impl Placement {
             spot.height = (spot.height + rise).clamp(-reach * edges[v], reach * edges[v]);
             let along = slide * (displacement - rise * spot.normal).clamp_length_max(SLIDE * edges[v]);
             if along != DVec3::ZERO {
-                let point = walk(surface.mesh, surface.topology, spot.point, along, may_cross).end;
-                let normal = surface.normals.at(point);
+                let point = walk(surface.mesh(), surface.topology(), spot.point, along, may_cross).end;
+                let normal = surface.normals().at(point);
                 if normal != DVec3::ZERO {
-                    spot = Spot { point, foot: point.position(surface.mesh), normal, ..spot };
+                    spot = Spot { point, foot: point.position(surface.mesh()), normal, ..spot };
                 }
             }
             spot
@@ -111,12 +111,12 @@ impl Placement {
 }
 
 /// The mean length of the edges of every vertex.
-pub(crate) fn mean_edges(domain: &TriMesh, topology: &Topology) -> IdVec<VertexId, f64> {
+pub(crate) fn mean_edges(Domain { mesh, topology, .. }: &Domain) -> IdVec<VertexId, f64> {
     let mean = |v: VertexId| {
-        let lengths: Vec<f64> = topology.one_ring(v).map(|w| domain.distance(v, w)).collect();
+        let lengths: Vec<f64> = topology.one_ring(v).map(|w| mesh.distance(v, w)).collect();
         lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
     };
-    domain.positions().ids().map(mean).collect()
+    mesh.positions().ids().map(mean).collect()
 }
 
 /// The faces round some faces.

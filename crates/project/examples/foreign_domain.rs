@@ -2,9 +2,9 @@
 //! `cargo run -p project --example foreign_domain -- [LEVELS] [OUT.obj]`
 
 use glam::DVec3;
-use mesh_core::{FaceId, IdVec, SurfacePoint, Topology, TriMesh};
+use mesh_core::{FaceId, IdVec, SurfacePoint, TriMesh};
 use project::{ProjectOptions, project};
-use region_map::{Attachment, Network, RegionMap, SheetId, SheetNormals, Surface};
+use region_map::{Attachment, Domain, RegionMap, SheetId, Surface};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -14,13 +14,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The surface: a closed mesh without arcs, hence with one sheet.
     let ball = fixtures::icosphere(24);
     let mesh = ball.with_positions(ball.positions().iter().map(|&p| dented(p)).collect())?;
-    let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    let network = Network::trace(&mesh, &topology, &IdVec::filled(None, topology.n_edges()), |_| false, Vec::new());
-    let normals = SheetNormals::new(&mesh, &topology, &network);
-    let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
+    let surface = Surface::smooth(mesh)?;
 
     // The domain: all its vertices and faces belong to that sheet. Their points are found by the projection.
-    let bounds = mesh.bounds().ok_or("the surface is empty")?;
+    let bounds = surface.mesh().bounds().ok_or("the surface is empty")?;
     let octahedron = octahedron(bounds.centre(), 0.5 * (bounds.max - bounds.min))?;
     let region = RegionMap {
         attachments: IdVec::filled(Attachment::Sheet(SheetId(0)), octahedron.n_vertices()),
@@ -28,16 +25,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         sheet_of_face: IdVec::filled(SheetId(0), octahedron.n_faces()),
         spans: Default::default(),
     };
-    let domain = subdiv::subdivide(&octahedron, &region, levels)?;
+    let finest = subdiv::subdivide(&Domain::new(octahedron, region)?, levels)?.domain;
 
-    let projected = project(&surface, &domain.mesh, &domain.region, None, &ProjectOptions::default())?;
-    println!("{} vertices, {} faces on {} faces", projected.mesh.n_vertices(), projected.mesh.n_faces(), mesh.n_faces());
-    println!("{} by their rays, {} by the nearest point", projected.report.by_ray, projected.report.by_nearest);
-    let faces = projected.mesh.faces().ids();
-    let quality: f64 = faces.map(|f| mesh_core::aspect_ratio(projected.mesh.triangle(f))).sum();
-    println!("mean quality {:.3}", quality / projected.mesh.n_faces() as f64);
+    let projected = project(&surface, &finest, None, &ProjectOptions::default())?;
+    let (mesh, report) = (&projected.domain.mesh, projected.report);
+    println!("{} vertices, {} faces on {} faces", mesh.n_vertices(), mesh.n_faces(), surface.mesh().n_faces());
+    println!("{} by their rays, {} by the nearest point", report.by_ray, report.by_nearest);
+    let quality: f64 = mesh.faces().ids().map(|f| mesh_core::aspect_ratio(mesh.triangle(f))).sum();
+    println!("mean quality {:.3}", quality / mesh.n_faces() as f64);
     if let Some(path) = arguments.get(1) {
-        mesh_io::write(std::path::Path::new(path), &projected.mesh)?;
+        mesh_io::write(std::path::Path::new(path), mesh)?;
     }
     Ok(())
 }

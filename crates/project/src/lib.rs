@@ -5,29 +5,26 @@
 //! where it misses, the nearest point of the sheet.
 //!
 //! ```
-//! use mesh_core::Topology;
+//! use mesh_core::TriMesh;
 //! use project::{ProjectOptions, project};
-//! use region_map::{Network, RegionMap, SheetNormals, Surface};
+//! use region_map::{Domain, Surface};
 //!
-//! // A sphere, and as the domain the sphere itself, swollen.
-//! let mesh = fixtures::icosphere(6);
-//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//! let kinds = topology.edge_ids().map(|_| None).collect();
-//! let network = Network::trace(&mesh, &topology, &kinds, |_| false, Vec::new());
-//! let normals = SheetNormals::new(&mesh, &topology, &network);
-//! let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
-//! let domain = mesh.with_positions(mesh.positions().iter().map(|&p| 1.1 * p).collect())?;
+//! // A unit square of two triangles as surface, and as its domain the same with a corner lifted.
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Into::into).to_vec();
+//! let surface = Surface::smooth(TriMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]])?)?;
+//! let mut domain = Domain::identity(&surface);
+//! domain.mesh = domain.mesh.with_positions([&corners[..3], &[[0.0, 1.0, 0.5].into()]].concat())?;
 //!
-//! let region = RegionMap::identity(&topology, &network);
-//! let projected = project(&surface, &domain, &region, None, &ProjectOptions::default())?;
-//! assert_eq!(projected.report.by_ray, mesh.n_vertices());
-//! assert!(projected.mesh.positions().iter().all(|p| p.length() > 0.97 && p.length() < 1.0 + 1e-9));
+//! let projected = project(&surface, &domain, None, &ProjectOptions::default())?;
+//! assert_eq!(projected.domain.mesh.positions().as_slice(), corners);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod error;
 mod place;
 mod project;
 mod ray;
 
+pub use error::ProjectError;
 pub use place::Origins;
-pub use project::{ProjectError, ProjectOptions, ProjectReport, Projected, project};
+pub use project::{ProjectOptions, ProjectReport, Projected, project};

@@ -1,6 +1,7 @@
 //! Where the map puts a domain vertex.
 
-use mesh_core::{IdVec, SurfacePoint, VertexId};
+use crate::ProjectError;
+use mesh_core::{IdVec, SurfacePoint, TriMesh, VertexId};
 use region_map::{BaseMesh, RegionMapError};
 
 /// The map that places vertices: a base mesh, and every domain vertex as a point of a base face.
@@ -13,14 +14,17 @@ pub struct Origins<'a> {
 }
 
 impl Origins<'_> {
-    /// Checks that there is a point for each of `n_vertices`, on a face of the base mesh.
-    pub(crate) fn check(&self, n_vertices: usize) -> Result<(), RegionMapError> {
+    /// Checks that the map is of this working mesh, and that there is a point for each of `n_vertices`, on a face of the base mesh.
+    pub(crate) fn check(&self, working: &TriMesh, n_vertices: usize) -> Result<(), ProjectError> {
+        if !self.base.map.is_of(working) || !self.base.map_faces.iter().all(|&f| self.base.map.is_present(f)) {
+            return Err(ProjectError::OtherMap);
+        }
         let (found, expected) = (self.points.len(), n_vertices);
         if found != expected {
-            return Err(RegionMapError::WrongSize { what: "origins", found, expected });
+            return Err(RegionMapError::WrongSize { what: "origins", found, expected }.into());
         }
         match self.points.enumerate().find(|(_, p)| self.base.map_faces.get(p.face).is_none()) {
-            Some((v, _)) => Err(RegionMapError::Misattached(v)),
+            Some((v, _)) => Err(RegionMapError::Misattached(v).into()),
             None => Ok(()),
         }
     }

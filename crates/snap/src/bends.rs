@@ -11,9 +11,9 @@ const LEAST_SHARE: f64 = 0.03;
 
 /// For every edge on an arc that leaves it by too much, the vertex of the arc that is farthest from the edge; the worst first.
 pub(crate) fn bends(surface: &Surface, spans: &BTreeMap<[VertexId; 2], ArcSpan>, options: &SnapOptions) -> Vec<VertexId> {
-    let allowed = options.bend * surface.mesh.diagonal();
+    let allowed = options.bend * surface.mesh().diagonal();
     let cut_off = |span: &ArcSpan| {
-        let (off, vertex) = farthest(surface, &surface.network.arcs[span.arc], span)?;
+        let (off, vertex) = farthest(surface, &surface.network().arcs[span.arc], span)?;
         (off > allowed && off > LEAST_SHARE * (span.to - span.from).abs()).then_some((off, vertex))
     };
     let mut found: Vec<(f64, VertexId)> = spans.values().filter_map(cut_off).collect();
@@ -23,9 +23,9 @@ pub(crate) fn bends(surface: &Surface, spans: &BTreeMap<[VertexId; 2], ArcSpan>,
 
 /// The vertex inside a span that is farthest from its chord, with its distance.
 fn farthest(surface: &Surface, arc: &Arc, span: &ArcSpan) -> Option<(f64, VertexId)> {
-    let [a, b] = [span.from, span.to].map(|t| arc.position(surface.mesh, t));
+    let [a, b] = [span.from, span.to].map(|t| arc.position(surface.mesh(), t));
     let off = |v: VertexId| {
-        let p = surface.mesh.position(v);
+        let p = surface.mesh().position(v);
         p.distance(a.lerp(b, mesh_core::closest_on_segment(p, a, b)))
     };
     let inside =

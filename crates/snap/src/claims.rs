@@ -4,8 +4,8 @@ use crate::bends::within;
 use crate::minor::Piece;
 use crate::path::Path;
 use crate::sector::leaves_alike;
-use mesh_core::{HalfedgeId, IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
-use region_map::{ArcId, ArcSpan, Attachment, CornerId, RegionMap, SheetId, Surface};
+use mesh_core::{HalfedgeId, IdVec, SurfaceIndex, TriMesh, VertexId};
+use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, SheetId, Surface};
 use std::collections::BTreeMap;
 
 /// So many vertices are asked how far the domain is, about.
@@ -20,10 +20,8 @@ pub(crate) struct Track {
 
 /// The domain and what was claimed of it.
 pub(crate) struct Claims<'a> {
-    pub(crate) surface: &'a Surface<'a>,
-    pub(crate) domain: &'a TriMesh,
-    pub(crate) topology: &'a Topology,
-    pub(crate) map: &'a RegionMap,
+    pub(crate) surface: &'a Surface,
+    pub(crate) domain: &'a Domain,
     index: SurfaceIndex,
     edge_length: f64,
     typical_depth: f64,
@@ -40,32 +38,31 @@ pub(crate) struct Claims<'a> {
 }
 
 impl<'a> Claims<'a> {
-    pub(crate) fn new(surface: &'a Surface<'a>, domain: &'a TriMesh, topology: &'a Topology, map: &'a RegionMap) -> Self {
-        let mut at_corner = IdVec::filled(None, surface.network.corners.len());
-        for (v, attachment) in map.attachments.enumerate() {
+    pub(crate) fn new(surface: &'a Surface, domain: &'a Domain) -> Self {
+        let Domain { mesh, topology, region } = domain;
+        let mut at_corner = IdVec::filled(None, surface.network().corners.len());
+        for (v, attachment) in region.attachments.enumerate() {
             if let Attachment::Corner(c) = *attachment {
                 at_corner[c] = Some(v);
             }
         }
-        let mut edges_on = IdVec::filled(Vec::new(), surface.network.arcs.len());
-        map.spans.iter().for_each(|(&ends, span)| edges_on[span.arc].push(ends));
+        let mut edges_on = IdVec::filled(Vec::new(), surface.network().arcs.len());
+        region.spans.iter().for_each(|(&ends, span)| edges_on[span.arc].push(ends));
         let length = |e| {
             let [a, b] = topology.ends(e);
-            domain.distance(a, b)
+            mesh.distance(a, b)
         };
         let edge_length = topology.edge_ids().map(length).sum::<f64>() / topology.n_edges().max(1) as f64;
-        let index = SurfaceIndex::new(domain);
+        let index = SurfaceIndex::new(mesh);
         Self {
             surface,
             domain,
-            topology,
-            map,
-            typical_depth: typical_depth(surface.mesh, &index),
+            typical_depth: typical_depth(surface.mesh(), &index),
             index,
             edge_length,
             at_corner,
             edges_on,
-            spans: map.spans.clone(),
+            spans: region.spans.clone(),
             pins: BTreeMap::new(),
             tracks: Vec::new(),
             taken: IdVec::filled(false, topology.n_vertices()),
@@ -79,13 +76,13 @@ impl<'a> Claims<'a> {
 
     /// How much farther a piece of a minor crease lies from the domain, in the mean, than the surface does elsewhere.
     pub(crate) fn depth(&self, piece: &Piece) -> f64 {
-        let depths = piece.vertices.iter().map(|&v| depth(self.surface.mesh, v, &self.index));
+        let depths = piece.vertices.iter().map(|&v| depth(self.surface.mesh(), v, &self.index));
         depths.sum::<f64>() / piece.vertices.len() as f64 / self.typical_depth.max(f64::MIN_POSITIVE)
     }
 
     /// Is a domain vertex inside this sheet, and nobody's?
     pub(crate) fn is_free_in(&self, v: VertexId, sheet: SheetId) -> bool {
-        !self.taken[v] && self.map.attachments[v] == Attachment::Sheet(sheet)
+        !self.taken[v] && self.domain.region.attachments[v] == Attachment::Sheet(sheet)
     }
 
     /// The domain vertex for a vertex of an arc: the one there, or the nearer free end of the edge that passes it, slid there.
@@ -93,7 +90,7 @@ impl<'a> Claims<'a> {
         if let Some(&v) = self.pins.get(&w) {
             return Some(v);
         }
-        let network = self.surface.network;
+        let network = self.surface.network();
         if let Some(corner) = network.corner_of_vertex[w] {
             return self.at_corner[corner];
         }
@@ -103,7 +100,7 @@ impl<'a> Claims<'a> {
         let span = self.spans[&ends];
         let step = along * (span.to - span.from);
         let slides = [(ends[0], step), (ends[1], step - (span.to - span.from))];
-        let is_free = |v: VertexId| !self.taken[v] && matches!(self.map.attachments[v], Attachment::Arc { .. });
+        let is_free = |v: VertexId| !self.taken[v] && matches!(self.domain.region.attachments[v], Attachment::Arc { .. });
         let free = slides.into_iter().filter(|&(v, _)| is_free(v));
         let (v, slide) = free.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))?;
         for ends in self.edges_on[arc].iter().filter(|ends| ends.contains(&v)) {
@@ -115,7 +112,7 @@ impl<'a> Claims<'a> {
     }
 
     fn place_on_arc(&self, w: VertexId) -> Option<(ArcId, f64)> {
-        let Surface { topology, network, .. } = self.surface;
+        let (topology, network) = (self.surface.topology(), self.surface.network());
         let around = topology.fan(w).flat_map(|h| [h, h.prev()]);
         let arc = around.filter_map(|h| network.arc_of_edge[topology.edge(h)]).next()?;
         let i = network.arcs[arc].vertices.iter().position(|&v| v == w)?;
@@ -124,14 +121,14 @@ impl<'a> Claims<'a> {
 
     /// The domain vertex for a vertex of a minor crease: as on an arc where it meets one, else the nearest free one in the sheet.
     fn pin(&mut self, w: VertexId, sheet: SheetId) -> Option<VertexId> {
-        let network = self.surface.network;
+        let network = self.surface.network();
         if self.pins.contains_key(&w) || network.corner_of_vertex[w].is_some() || self.place_on_arc(w).is_some() {
             return self.pin_on_arc(w);
         }
-        let position = self.surface.mesh.position(w);
-        let closest = self.index.closest_where(position, |f| self.map.sheet_of_face[f] == sheet)?;
-        let corners = self.domain.face(closest.face).into_iter().filter(|&v| self.is_free_in(v, sheet));
-        let from = |v: VertexId| self.domain.position(v).distance_squared(position);
+        let position = self.surface.mesh().position(w);
+        let closest = self.index.closest_where(position, |f| self.domain.region.sheet_of_face[f] == sheet)?;
+        let corners = self.domain.mesh.face(closest.face).into_iter().filter(|&v| self.is_free_in(v, sheet));
+        let from = |v: VertexId| self.domain.mesh.position(v).distance_squared(position);
         let v = corners.min_by(|&a, &b| from(a).total_cmp(&from(b)).then(a.cmp(&b)))?;
         self.take(w, v);
         Some(v)
@@ -167,7 +164,7 @@ impl<'a> Claims<'a> {
 
     /// The domain faces around a vertex, as halfedges that leave it.
     pub(crate) fn spokes(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
-        self.topology.fan(v)
+        self.domain.topology.fan(v)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::claims::Claims;
 use glam::DVec3;
 use mesh_core::{VertexId, walk};
-use region_map::{Attachment, RegionMap};
+use region_map::{Attachment, Domain, RegionMap};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Rings of vertices that are dragged, and rounds of averaging: most snapped vertices move by less than half an edge length.
@@ -12,8 +12,8 @@ const ROUNDS: usize = 12;
 
 /// Moves the vertices inside sheets around those whose points in `map` are not where the domain has them.
 pub(crate) fn drag(claims: &Claims, map: &mut RegionMap) {
-    let (surface, domain, topology) = (claims.surface, claims.domain, claims.topology);
-    let target = |v: VertexId| map.points[v].position(surface.mesh) - domain.position(v);
+    let (surface, Domain { mesh, topology, .. }) = (claims.surface, claims.domain);
+    let target = |v: VertexId| map.points[v].position(surface.mesh()) - mesh.position(v);
     let snapped = claims.pins.values().copied().chain(claims.tracks.iter().flat_map(|t| t.path.iter().copied()));
     let snapped: BTreeMap<VertexId, DVec3> = snapped.map(|v| (v, target(v))).collect();
     let mut reached: BTreeSet<VertexId> = snapped.keys().copied().collect();
@@ -34,8 +34,8 @@ pub(crate) fn drag(claims: &Claims, map: &mut RegionMap) {
         let means: Vec<(VertexId, DVec3)> = free.iter().map(|&v| (v, mean(v))).collect();
         ways.extend(means);
     }
-    let may_cross = |e| !surface.network.is_barrier(e);
+    let may_cross = |e| !surface.network().is_barrier(e);
     for v in free {
-        map.points[v] = walk(surface.mesh, surface.topology, map.points[v], ways[&v], may_cross).end;
+        map.points[v] = walk(surface.mesh(), surface.topology(), map.points[v], ways[&v], may_cross).end;
     }
 }

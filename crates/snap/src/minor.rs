@@ -30,11 +30,11 @@ pub(crate) fn pieces(
 ) -> Vec<Piece> {
     let breaks = breaks(surface, chain, options);
     let uncut = breaks.windows(2).map(|ends| &chain[ends[0]..=ends[1]]);
-    let is_kept = |v: &[VertexId]| surface.topology.find_edge(v[0], v[1]).is_some_and(|e| !let_go.minor.contains(&e));
+    let is_kept = |v: &[VertexId]| surface.topology().find_edge(v[0], v[1]).is_some_and(|e| !let_go.minor.contains(&e));
     let pieces: Vec<Piece> = uncut.flat_map(|part| runs(part, is_kept)).filter_map(|run| piece(surface, &run)).collect();
     let can_follow = |i: usize| {
         let piece = &pieces[i];
-        let turns: f64 = piece.vertices.windows(3).map(|v| turn(surface.mesh, v)).sum();
+        let turns: f64 = piece.vertices.windows(3).map(|v| turn(surface.mesh(), v)).sum();
         piece.length >= options.least_length * edge_length
             && turns * edge_length <= options.most_turn * piece.length
             && !is_turned_back(surface, &pieces, i)
@@ -46,7 +46,7 @@ pub(crate) fn pieces(
 fn is_turned_back(surface: &Surface, pieces: &[Piece], i: usize) -> bool {
     let turns_back = |first: &Piece, second: &Piece| {
         let (a, b) = (&first.vertices, &second.vertices);
-        a.last() == b.first() && turn(surface.mesh, &[a[a.len() - 2], b[0], b[1]]) > TURN_BACK
+        a.last() == b.first() && turn(surface.mesh(), &[a[a.len() - 2], b[0], b[1]]) > TURN_BACK
     };
     let longer = |j: usize| (pieces[j].length, i) > (pieces[i].length, j);
     (i > 0 && longer(i - 1) && turns_back(&pieces[i - 1], &pieces[i]))
@@ -54,15 +54,16 @@ fn is_turned_back(surface: &Surface, pieces: &[Piece], i: usize) -> bool {
 }
 
 fn piece(surface: &Surface, vertices: &[VertexId]) -> Option<Piece> {
-    let edges: Vec<EdgeId> = vertices.windows(2).map(|w| surface.topology.find_edge(w[0], w[1])).collect::<Option<_>>()?;
-    let sheet = surface.network.sheet_of_face[surface.topology.edge_faces(*edges.first()?).0];
-    Some(Piece { vertices: vertices.to_vec(), edges, sheet, length: surface.mesh.chain_length(vertices) })
+    let edges: Vec<EdgeId> = vertices.windows(2).map(|w| surface.topology().find_edge(w[0], w[1])).collect::<Option<_>>()?;
+    let sheet = surface.network().sheet_of_face[surface.topology().edge_faces(*edges.first()?).0];
+    Some(Piece { vertices: vertices.to_vec(), edges, sheet, length: surface.mesh().chain_length(vertices) })
 }
 
 /// Where the chain is cut: at its ends, sharp turns and meetings with arcs, and a closed one in three at least.
 fn breaks(surface: &Surface, chain: &[VertexId], options: &SnapOptions) -> Vec<usize> {
     let last = chain.len() - 1;
-    let is_break = |&i: &usize| turn(surface.mesh, &chain[i - 1..=i + 1]) > options.sharp_turn || touches_arc(surface, chain[i]);
+    let is_break =
+        |&i: &usize| turn(surface.mesh(), &chain[i - 1..=i + 1]) > options.sharp_turn || touches_arc(surface, chain[i]);
     let mut breaks: Vec<usize> = (1..last).filter(is_break).collect();
     if chain.first() == chain.last() && breaks.len() < 2 {
         breaks.extend([last / 3, 2 * last / 3]);
@@ -80,7 +81,7 @@ fn turn(mesh: &TriMesh, chain: &[VertexId]) -> f64 {
 }
 
 fn touches_arc(surface: &Surface, v: VertexId) -> bool {
-    let Surface { topology, network, .. } = surface;
+    let (topology, network) = (surface.topology(), surface.network());
     network.corner_of_vertex[v].is_some()
         || topology.fan(v).any(|h| network.is_barrier(topology.edge(h)) || network.is_barrier(topology.edge(h.prev())))
 }

@@ -36,7 +36,7 @@ impl Path<'_, '_> {
             if previous[&v].0 != bits {
                 continue;
             }
-            for w in self.claims.topology.one_ring(v).filter(|&w| self.may_step(v, w)) {
+            for w in self.claims.domain.topology.one_ring(v).filter(|&w| self.may_step(v, w)) {
                 let cost = (f64::from_bits(bits) + self.cost(v, w)).to_bits();
                 if previous.get(&w).is_none_or(|&(known, _)| cost < known) {
                     previous.insert(w, (cost, v));
@@ -51,8 +51,8 @@ impl Path<'_, '_> {
         let claims = self.claims;
         let inside = claims.is_free_in(w, self.piece.sheet) && self.distance(w) < MOST_DISTANCE * claims.edge_length();
         // An edge between two arcs of another sheet would leave this one.
-        let in_sheet = |v: VertexId| claims.spokes(v).any(|h| claims.map.sheet_of_face[h.face()] == self.piece.sheet);
-        (inside || w == self.end) && claims.map.span(v, w).is_none() && in_sheet(v) && !self.is_claimed_edge(v, w)
+        let in_sheet = |v: VertexId| claims.spokes(v).any(|h| claims.domain.region.sheet_of_face[h.face()] == self.piece.sheet);
+        (inside || w == self.end) && claims.domain.region.span(v, w).is_none() && in_sheet(v) && !self.is_claimed_edge(v, w)
     }
 
     /// Does a track run along this edge?
@@ -64,12 +64,12 @@ impl Path<'_, '_> {
     fn cost(&self, v: VertexId, w: VertexId) -> f64 {
         let unit = self.claims.edge_length();
         let [a, b] = [v, w].map(|v| (self.distance(v) / unit).powi(2));
-        self.claims.domain.distance(v, w) * (1.0 + DISTANCE_WEIGHT * 0.5 * (a + b))
+        self.claims.domain.mesh.distance(v, w) * (1.0 + DISTANCE_WEIGHT * 0.5 * (a + b))
     }
 
     /// Distance of a domain vertex from the piece.
     fn distance(&self, v: VertexId) -> f64 {
-        let (mesh, p) = (self.claims.surface.mesh, self.claims.domain.position(v));
+        let (mesh, p) = (self.claims.surface.mesh(), self.claims.domain.mesh.position(v));
         let to_segment = |ends: &[VertexId]| {
             let (a, b) = (mesh.position(ends[0]), mesh.position(ends[1]));
             p.distance(a.lerp(b, closest_on_segment(p, a, b)))
@@ -86,13 +86,16 @@ impl Path<'_, '_> {
         while at != self.start {
             at = previous[&at].1;
             let n = path.len();
-            if n > 1 && claims.topology.find_edge(path[n - 2], at).is_some() && claims.map.span(path[n - 2], at).is_none() {
+            if n > 1
+                && claims.domain.topology.find_edge(path[n - 2], at).is_some()
+                && claims.domain.region.span(path[n - 2], at).is_none()
+            {
                 path.pop();
             }
             path.push(at);
         }
         path.reverse();
-        let length = claims.domain.chain_length(&path);
+        let length = claims.domain.mesh.chain_length(&path);
         let [least, most] = LENGTHS.map(|share| share * self.piece.length);
         (least < length && length < most).then_some(path)
     }

@@ -4,17 +4,17 @@ use crate::SnapError;
 use crate::claims::{Claims, Track};
 use crate::drag::drag;
 use crate::minor::runs;
-use mesh_core::{FaceId, HalfedgeId, IdVec, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{Arc, ArcKind, ArcSpan, Attachment, Network, RegionMap, SheetId, SheetNormals, Surface};
+use mesh_core::{FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, VertexId};
+use region_map::{Arc, ArcKind, ArcSpan, Attachment, Domain, Network, RegionMap, SheetId, Surface};
 use std::collections::BTreeMap;
 
-/// The network with all claims, its normals, and the domain on it.
-pub(crate) fn retarget(claims: &Claims) -> Result<(Network, SheetNormals, TriMesh, RegionMap), SnapError> {
-    let Surface { mesh, topology, .. } = *claims.surface;
-    let network = finer_network(claims);
-    let mut map = RegionMap { spans: BTreeMap::new(), ..claims.map.clone() };
+/// The surface with all claims in its network, and the domain on it.
+pub(crate) fn retarget(claims: &Claims) -> Result<(Surface, Domain), SnapError> {
+    let topology = claims.surface.topology();
+    let network = finer_network(claims)?;
+    let mut map = RegionMap { spans: BTreeMap::new(), ..claims.domain.region.clone() };
     for (&[a, b], span) in &claims.spans {
-        let old = &claims.surface.network.arcs[span.arc];
+        let old = &claims.surface.network().arcs[span.arc];
         if let Some(span) = moved_span(old, span, &network, topology) {
             map.insert_span(a, b, span);
         }
@@ -23,14 +23,12 @@ pub(crate) fn retarget(claims: &Claims) -> Result<(Network, SheetNormals, TriMes
     attach(&network, claims, &mut map);
     map.sheet_of_face = sheets(claims, &network, &map);
     place(claims, &network, &mut map);
-    map.check(claims.topology, &network)?;
-    let positions = map.points.iter().map(|p| p.position(mesh)).collect();
-    let normals = SheetNormals::new(mesh, topology, &network);
-    Ok((network, normals, claims.domain.with_positions(positions)?, map))
+    map.check(&claims.domain.topology, &network)?;
+    Ok((claims.surface.with_network(network)?, claims.domain.placed(claims.surface, map)?))
 }
 
-fn finer_network(claims: &Claims) -> Network {
-    let Surface { mesh, topology, network, .. } = *claims.surface;
+fn finer_network(claims: &Claims) -> Result<Network, SnapError> {
+    let (mesh, topology, network) = (claims.surface.mesh(), claims.surface.topology(), claims.surface.network());
     let mut kinds: IdVec<_, Option<ArcKind>> = network.arc_of_edge.iter().map(|arc| arc.map(|a| network.arcs[a].kind)).collect();
     for &e in claims.tracks.iter().flat_map(|track| &track.piece.edges) {
         kinds[e] = Some(ArcKind::Sharp);
@@ -38,7 +36,7 @@ fn finer_network(claims: &Claims) -> Network {
     let is_corner = |v: VertexId| network.corner_of_vertex[v].is_some() || claims.pins.contains_key(&v);
     let is_left = |v: &[VertexId]| topology.find_edge(v[0], v[1]).is_none_or(|e| kinds[e].is_none());
     let minor = network.minor.iter().flat_map(|chain| runs(chain, is_left)).collect();
-    Network::trace(mesh, topology, &kinds, is_corner, minor)
+    Ok(Network::trace(mesh, topology, &kinds, is_corner, minor)?)
 }
 
 /// A span of an arc on the arc of the finer network that its middle lies on.
@@ -66,7 +64,7 @@ fn add_track(track: &Track, claims: &Claims, network: &Network, map: &mut Region
     let (length, forward) = (network.arcs[arc].length(), network.arcs[arc].vertices[0] == track.piece.vertices[0]);
     let mut steps = vec![0.0];
     for w in track.path.windows(2) {
-        steps.push(steps[steps.len() - 1] + claims.domain.distance(w[0], w[1]));
+        steps.push(steps[steps.len() - 1] + claims.domain.mesh.distance(w[0], w[1]));
     }
     let total = steps[steps.len() - 1];
     let t = |step: f64| length * if forward { step / total } else { 1.0 - step / total };
@@ -82,9 +80,9 @@ fn attach(network: &Network, claims: &Claims, map: &mut RegionMap) {
             map.attachments[v] = Attachment::Arc { arc: span.arc, t: network.arcs[span.arc].normalise(t) };
         }
     }
-    for (v, attachment) in claims.map.attachments.enumerate() {
+    for (v, attachment) in claims.domain.region.attachments.enumerate() {
         if let Attachment::Corner(c) = *attachment
-            && let Some(corner) = network.corner_of_vertex[claims.surface.network.corners[c]]
+            && let Some(corner) = network.corner_of_vertex[claims.surface.network().corners[c]]
         {
             map.attachments[v] = Attachment::Corner(corner);
         }
@@ -98,7 +96,7 @@ fn attach(network: &Network, claims: &Claims, map: &mut RegionMap) {
 
 /// The sheet of every domain face: from the arcs around its part of the domain, or where there are none from a vertex' point.
 fn sheets(claims: &Claims, network: &Network, map: &RegionMap) -> IdVec<FaceId, SheetId> {
-    let topology = claims.topology;
+    let topology = &claims.domain.topology;
     let on_arc = |e| {
         let [a, b] = topology.ends(e);
         map.span(a, b)
@@ -122,7 +120,7 @@ fn sheets(claims: &Claims, network: &Network, map: &RegionMap) -> IdVec<FaceId, 
 
 /// Sets the points of all vertices: on arcs and at corners as attached, those around dragged along.
 fn place(claims: &Claims, network: &Network, map: &mut RegionMap) {
-    let Surface { mesh, topology, .. } = *claims.surface;
+    let (mesh, topology) = (claims.surface.mesh(), claims.surface.topology());
     for (v, attachment) in map.attachments.clone().enumerate() {
         match *attachment {
             Attachment::Arc { arc, t } => map.points[v] = network.arcs[arc].point(topology, t),
@@ -135,16 +133,16 @@ fn place(claims: &Claims, network: &Network, map: &mut RegionMap) {
         }
     }
     drag(claims, map);
-    let mut index: Option<SurfaceIndex> = None;
     for v in map.vertices() {
         let Attachment::Sheet(_) = map.attachments[v] else { continue };
-        let Some(sheet) = claims.topology.fan(v).next().map(HalfedgeId::face).map(|f| map.sheet_of_face[f]) else { continue };
+        let Some(sheet) = claims.domain.topology.fan(v).next().map(HalfedgeId::face).map(|f| map.sheet_of_face[f]) else {
+            continue;
+        };
         map.attachments[v] = Attachment::Sheet(sheet);
         if network.sheet_of_face[map.points[v].face] != sheet {
             // Left on the other side of a closed crease.
-            let index = index.get_or_insert_with(|| SurfaceIndex::new(mesh));
             let position = map.points[v].position(mesh);
-            if let Some(closest) = index.closest_where(position, |f| network.sheet_of_face[f] == sheet) {
+            if let Some(closest) = claims.surface.index().closest_where(position, |f| network.sheet_of_face[f] == sheet) {
                 map.points[v] = closest.point();
             }
         }

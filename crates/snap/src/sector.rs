@@ -9,17 +9,17 @@ type Bound = Option<(ArcId, bool)>;
 
 /// Does the edge from the domain vertex `v` to `v_next` lie between the same arcs as that from `w` to `w_next` of the surface?
 pub(crate) fn leaves_alike(claims: &Claims, [v, v_next]: [VertexId; 2], [w, w_next]: [VertexId; 2]) -> bool {
-    let network = claims.surface.network;
+    let network = claims.surface.network();
     let of_domain = |h: HalfedgeId| {
-        let span = claims.map.span(v, claims.topology.to(h))?;
+        let span = claims.domain.region.span(v, claims.domain.topology.to(h))?;
         Some((span.arc, span.from < span.to))
     };
     let of_surface = |h: HalfedgeId| {
-        let arc = network.arc_of_edge[claims.surface.topology.edge(h)]?;
-        let to = claims.surface.topology.to(h);
+        let arc = network.arc_of_edge[claims.surface.topology().edge(h)]?;
+        let to = claims.surface.topology().to(h);
         Some((arc, network.arcs[arc].vertices.windows(2).any(|pair| pair == [w, to])))
     };
-    clockwise(claims.topology, v, v_next, of_domain) == clockwise(claims.surface.topology, w, w_next, of_surface)
+    clockwise(&claims.domain.topology, v, v_next, of_domain) == clockwise(claims.surface.topology(), w, w_next, of_surface)
 }
 
 /// What bounds the sector of the edge from `v` to `next`, clockwise of it; `None` where nothing does.

@@ -5,20 +5,18 @@
 //! in the sheet of its face (two end points do not decide: two corners may be joined across a sheet).
 //!
 //! ```
-//! use mesh_core::Topology;
-//! use region_map::{ArcKind, Network, RegionMap};
+//! use mesh_core::TriMesh;
+//! use region_map::{Domain, Surface};
 //! use subdiv::subdivide;
 //!
-//! // A box of twelve triangles as its own base mesh, its twelve edges as arcs.
-//! let base = fixtures::cube(1);
-//! let topology = Topology::new(base.faces(), base.n_vertices())?;
-//! let is_sharp = |e| topology.edge_faces(e).1.is_some_and(|g| base.normal(g) != base.normal(topology.edge_faces(e).0));
-//! let kinds = topology.edge_ids().map(|e| is_sharp(e).then_some(ArcKind::Sharp)).collect();
-//! let network = Network::trace(&base, &topology, &kinds, |_| false, Vec::new());
+//! // A tetrahedron as its own base mesh, its six edges as arcs between four corners.
+//! let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Into::into).to_vec();
+//! let surface = Surface::with_creases(TriMesh::new(positions, vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?, 40.0)?;
+//! let finest = subdivide(&Domain::identity(&surface), 2)?.domain;
 //!
-//! let domain = subdivide(&base, &RegionMap::identity(&topology, &network), 2)?;
-//! assert_eq!(domain.mesh.n_faces(), 16 * 12);
-//! assert_eq!(domain.region.class_counts(), [8, 12 * 3, 54]);
+//! assert_eq!(finest.mesh.n_faces(), 16 * 4);
+//! let counts = finest.region.class_counts();
+//! assert_eq!((counts.at_corners, counts.on_arcs, counts.in_sheets), (4, 6 * 3, 4 * 3));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

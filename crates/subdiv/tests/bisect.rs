@@ -1,14 +1,13 @@
 //! The finest level before and after bisections of base edges, told apart by nothing but positions.
 
 use glam::DVec3;
-use mesh_core::{Id as _, IdVec, Topology, TriMesh, VertexId};
-use region_map::{ArcKind, Network, RegionMap};
-use subdiv::{Faces, SubdivDomain, bisected, subdivide};
+use mesh_core::{Id as _, IdVec, TriMesh, VertexId};
+use region_map::{Domain, Surface};
+use subdiv::{Faces, bisected, subdivide};
 
-fn subdivided(mesh: &TriMesh, levels: u32) -> SubdivDomain {
-    let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-    let network = Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), |_| false, Vec::new());
-    subdivide(mesh, &RegionMap::identity(&topology, &network), levels).unwrap()
+fn subdivided(mesh: &TriMesh, levels: u32) -> TriMesh {
+    let surface = Surface::with_creases(mesh.clone(), 40.0).unwrap();
+    subdivide(&Domain::identity(&surface), levels).unwrap().domain.mesh
 }
 
 /// The mesh with a vertex in the middle of an edge.
@@ -44,18 +43,18 @@ fn old_vertices_stay_and_new_ones_are_middles() {
             after_base = cut(&after_base, [a, b]);
         }
         let after = subdivided(&after_base, levels);
-        let [old, new] = [(base, &before), (&after_base, &after)]
-            .map(|(base, domain)| Faces { base: base.faces(), finest: domain.mesh.faces() });
+        let [old, new] =
+            [(base, &before), (&after_base, &after)].map(|(base, domain)| Faces { base: base.faces(), finest: domain.faces() });
         let found = bisected(old, &bisections, new, levels).unwrap();
 
-        let mut positions: IdVec<VertexId, DVec3> = before.mesh.positions().clone();
+        let mut positions: IdVec<VertexId, DVec3> = before.positions().clone();
         for middle in &found.middles {
             let [a, b] = middle.ends.map(|v| positions[VertexId(v)]);
             positions.push(a.midpoint(b));
         }
         let mut numbers: Vec<u32> = found.numbers.iter().copied().collect();
         for (v, &number) in found.numbers.enumerate() {
-            assert!(after.mesh.position(v).distance(positions[VertexId(number)]) < 1e-12, "vertex {v} at level {levels}");
+            assert!(after.position(v).distance(positions[VertexId(number)]) < 1e-12, "vertex {v} at level {levels}");
         }
         numbers.sort_unstable();
         assert!(numbers.into_iter().eq(0..positions.len() as u32), "each vertex comes once");
