@@ -56,7 +56,7 @@ pub enum ConnectivityError {
 }
 
 /// The number of vertices and faces of one level.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct LevelCounts {
     /// Vertices: the level's are the first ones of the mesh.
     pub vertices: usize,
@@ -76,11 +76,11 @@ pub struct Hierarchy {
 impl Hierarchy {
     /// Number of subdivisions.
     pub fn depth(&self) -> u32 {
-        self.levels.len() as u32 - 1
+        self.levels.len().saturating_sub(1) as u32
     }
     /// Counts of the base mesh.
     pub fn base(&self) -> LevelCounts {
-        self.levels[0]
+        self.levels.first().copied().unwrap_or_default()
     }
 }
 

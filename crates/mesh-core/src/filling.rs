@@ -1,13 +1,20 @@
 //! The cheapest triangulation of a polygon (Klincsek, *Minimal triangulations of polygonal domains*, 1980).
 
+/// Polygons with more corners are not triangulated.
+const MOST_CORNERS: usize = 8192;
+
 /// Triangulates a polygon with `n` corners, counter-clockwise, so that the sum of the costs of its triangles is least. `may_be` says whether
 /// a chord is allowed. Costs are not negative, `None` for a triangle that may not be; without any triangulation the result is `None`,
-/// too. Triangles come with their corners in rising order.
+/// too, as it is for more than 8192 corners: time rises with the third power of them. Triangles come with their corners in rising
+/// order.
 pub fn cheapest_filling(
     n: usize,
     may_be: impl Fn(usize, usize) -> bool,
     cost: impl Fn([usize; 3]) -> Option<f64>,
 ) -> Option<Vec<[usize; 3]>> {
+    if n > MOST_CORNERS {
+        return None;
+    }
     // For every chord from i to j the least cost on its left, and the third corner of the triangle there.
     let at = |i: usize, j: usize| i * n + j;
     let mut best = vec![Some((0.0, 0)); n * n];
@@ -49,7 +56,7 @@ mod tests {
 
     #[test]
     fn a_hexagon_is_cut_at_its_cheapest_chords() {
-        // Triangles cost their longest step: the best filling is the inner triangle with three ears.
+        // Triangles cost their longest step: the best filling is the inner triangle, and one at each of its sides.
         let cost = |t: [usize; 3]| {
             let step = |a: usize, b: usize| (a.abs_diff(b)).min(6 - a.abs_diff(b));
             Some(step(t[0], t[1]).max(step(t[1], t[2])).max(step(t[2], t[0])) as f64)
@@ -74,5 +81,6 @@ mod tests {
         assert_eq!(cheapest_filling(4, |_, _| false, |_| Some(1.0)), None);
         assert_eq!(cheapest_filling(3, |_, _| false, |_| Some(1.0)), Some(vec![[0, 1, 2]]));
         assert_eq!(cheapest_filling(0, |_, _| true, |_| Some(1.0)), None);
+        assert_eq!(cheapest_filling(usize::MAX, |_, _| true, |_| Some(1.0)), None);
     }
 }

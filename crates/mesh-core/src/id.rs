@@ -56,10 +56,10 @@ define_id! {
 }
 
 impl HalfedgeId {
-    /// The halfedge of `face` that starts at its corner `corner` (0, 1 or 2).
+    /// The halfedge of `face` that starts at its corner `corner` (0, 1 or 2). Faces of a mesh are below 1,431,655,765, so that the
+    /// numbers of their halfedges fit; the halfedge of another one is that of some face that it is not.
     pub fn of(face: FaceId, corner: usize) -> Self {
-        debug_assert!(corner < 3);
-        Self(3 * face.0 + corner as u32)
+        Self(face.0.wrapping_mul(3).wrapping_add(corner as u32))
     }
     /// The face that the halfedge belongs to.
     pub fn face(self) -> FaceId {
@@ -71,11 +71,11 @@ impl HalfedgeId {
     }
     /// The next halfedge of the same face.
     pub fn next(self) -> Self {
-        if self.0 % 3 == 2 { Self(self.0 - 2) } else { Self(self.0 + 1) }
+        if self.0 % 3 == 2 { Self(self.0 - 2) } else { Self(self.0.wrapping_add(1)) }
     }
     /// The previous halfedge of the same face.
     pub fn prev(self) -> Self {
-        if self.0.is_multiple_of(3) { Self(self.0 + 2) } else { Self(self.0 - 1) }
+        if self.0.is_multiple_of(3) { Self(self.0.wrapping_add(2)) } else { Self(self.0 - 1) }
     }
 }
 

@@ -2,11 +2,12 @@
 
 use crate::clean::{edge_groups, is_usable, merge_equal};
 use crate::exact::collinear;
+use crate::limits::{MOST_FACES, MOST_VERTICES};
 use crate::partition::Partition;
 use crate::{FaceId, HalfedgeId, Id, IdVec, Soup, VertexId};
 
 /// Counts of a soup as it was read, and of its topology after merging vertices at exactly the same position and leaving out
-/// triangles that are out of range, not finite, or collapse.
+/// triangles that are out of range, not finite, or collapse. Of more than 1.4e9 triangles the topology is not counted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inspection {
     /// Vertices as read.
@@ -60,6 +61,9 @@ pub fn inspect(soup: &Soup) -> Inspection {
         }
     }
     seen.repeated = count_repeated(&faces);
+    if faces.len() > MOST_FACES || soup.positions.len() > MOST_VERTICES {
+        return seen;
+    }
     inspect_topology(&faces, soup.positions.len(), &mut seen);
     seen
 }

@@ -13,17 +13,21 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// A point with its weights made not negative and of sum 1. Weights that are all 0 give the middle of the face.
+    /// A point with its weights made not negative and of sum 1. Weights that are all 0, or whose sum is infinite,
+    /// give the middle of the face.
     pub fn new(face: FaceId, barycentric: DVec3) -> Self {
         let clamped = barycentric.max(DVec3::ZERO);
         let sum = clamped.element_sum();
-        let barycentric = if sum > 0.0 { clamped / sum } else { DVec3::splat(1.0 / 3.0) };
+        let barycentric = if sum > 0.0 && sum.is_finite() { clamped / sum } else { DVec3::splat(1.0 / 3.0) };
         Self { face, barycentric }
     }
-    /// The corner `corner` (0, 1 or 2) of a face.
+    /// The corner `corner` (0, 1, and 2 or more for the last one) of a face.
     pub fn at_corner(face: FaceId, corner: usize) -> Self {
-        let mut barycentric = DVec3::ZERO;
-        barycentric[corner] = 1.0;
+        let barycentric = match corner {
+            0 => DVec3::X,
+            1 => DVec3::Y,
+            _ => DVec3::Z,
+        };
         Self { face, barycentric }
     }
     /// Position in space.
@@ -45,5 +49,19 @@ impl SurfacePoint {
             2
         };
         mesh.face(self.face)[corner]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_become_a_share_of_one_each() {
+        let weights = |w: [f64; 3]| SurfacePoint::new(FaceId(0), w.into()).barycentric;
+        assert_eq!(weights([2.0, -1.0, 6.0]), DVec3::new(0.25, 0.0, 0.75));
+        for without_sum in [[0.0; 3], [-1.0; 3], [f64::NAN; 3], [f64::INFINITY, 1.0, 0.0], [f64::MAX; 3]] {
+            assert_eq!(weights(without_sum), DVec3::splat(1.0 / 3.0), "{without_sum:?}");
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! 1998): only lengths inside faces are used, so turning about an edge is a change of frame and no angle is ever computed but
 //! at vertices. Every face is laid out in the plane with the halfedge in hand along the x axis and the face above it.
 
-use crate::{EdgeId, FaceId, HalfedgeId, SurfacePoint, Topology, TriMesh};
+use crate::{EdgeId, FaceId, HalfedgeId, Id, SurfacePoint, Topology, TriMesh};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -45,6 +45,8 @@ pub struct Walked {
 ///
 /// At an edge that may not be crossed (a border edge never may) the walk goes on along it with the component that it has in this
 /// direction. `may_cross` is asked for inner edges only.
+///
+/// A start in a face that is not there stays where it is, and so does every start where `topology` has other vertices than `mesh`.
 pub fn walk(
     mesh: &TriMesh,
     topology: &Topology,
@@ -52,7 +54,10 @@ pub fn walk(
     displacement: DVec3,
     may_cross: impl Fn(EdgeId) -> bool,
 ) -> Walked {
-    let surface = Surface { mesh, topology, may_cross };
+    if start.face.index() >= topology.n_faces() || topology.n_vertices() > mesh.n_vertices() {
+        return Walked { end: start, direction: DVec3::ZERO, stopped: true };
+    }
+    let surface = Faces { mesh, topology, may_cross };
     let mut walker = surface.set_off(start, displacement);
     let mut stopped = false;
     for _ in 0..MOST_STEPS {
@@ -83,13 +88,14 @@ enum Step {
     Slid(Walker),
 }
 
-struct Surface<'a, F> {
+/// What a walk goes over.
+struct Faces<'a, F> {
     mesh: &'a TriMesh,
     topology: &'a Topology,
     may_cross: F,
 }
 
-impl<F: Fn(EdgeId) -> bool> Surface<'_, F> {
+impl<F: Fn(EdgeId) -> bool> Faces<'_, F> {
     fn layout(&self, h: HalfedgeId) -> Layout {
         Layout::new(self.corners(h))
     }

@@ -1,7 +1,7 @@
 //! Triangles without area.
 
-use super::CleanReport;
-use super::draft::Draft;
+use super::editable_mesh::EditableMesh;
+use super::report::CleanReport;
 use crate::exact::collinear;
 use crate::partition::Partition;
 use crate::{FaceId, IdVec, VertexId};
@@ -13,58 +13,58 @@ use rustc_hash::FxHashMap;
 /// line, by no width; kept, it would be triangles that face nowhere in every mesh made of this one.
 ///
 /// Takes and leaves a manifold but for vertices between dropped faces; returns true when faces were dropped.
-pub(super) fn mend_zero_area(draft: &mut Draft, report: &mut CleanReport) -> bool {
-    if !draft.faces.ids().any(|f| is_flat(draft, f)) {
+pub(super) fn mend_zero_area(mesh: &mut EditableMesh, report: &mut CleanReport) -> bool {
+    if !mesh.faces.ids().any(|f| is_flat(mesh, f)) {
         return false;
     }
-    let mut dropped = draft.drop_faces(&without_area(draft));
-    let flat = draft.faces.ids().filter(|&f| is_flat(draft, f)).collect();
-    let mut mender = Mender::new(draft);
+    let mut dropped = mesh.drop_faces(&without_area(mesh));
+    let flat = mesh.faces.ids().filter(|&f| is_flat(mesh, f)).collect();
+    let mut mender = Mender::new(mesh);
     mender.run(flat, report);
     let mut drop = mender.dropped;
-    for f in draft.faces.ids().filter(|&f| is_flat(draft, f)) {
+    for f in mesh.faces.ids().filter(|&f| is_flat(mesh, f)) {
         report.zero_area_opened += usize::from(!std::mem::replace(&mut drop[f], true));
     }
     // What is dropped may leave parts behind that were joined to a surface by it alone.
-    dropped += draft.drop_faces(&drop) + draft.drop_faces(&without_area(draft));
+    dropped += mesh.drop_faces(&drop) + mesh.drop_faces(&without_area(mesh));
     report.zero_area_dropped += dropped - report.zero_area_opened;
     dropped > 0
 }
 
 /// True when the corners of a face lie exactly on one line.
-pub(super) fn is_flat(draft: &Draft, f: FaceId) -> bool {
-    let [a, b, c] = draft.triangle(f);
+pub(super) fn is_flat(mesh: &EditableMesh, f: FaceId) -> bool {
+    let [a, b, c] = mesh.triangle(f);
     collinear(a, b, c)
 }
 
 /// The faces of components of which every face is flat.
-fn without_area(draft: &Draft) -> IdVec<FaceId, bool> {
-    let mut parts = Partition::<VertexId>::of_singles(draft.positions.len());
-    for &[a, b, c] in &draft.faces {
+fn without_area(mesh: &EditableMesh) -> IdVec<FaceId, bool> {
+    let mut parts = Partition::<VertexId>::of_singles(mesh.positions.len());
+    for &[a, b, c] in &mesh.faces {
         parts.join(a, b);
         parts.join(b, c);
     }
-    let mut has_area = IdVec::<VertexId, bool>::filled(false, draft.positions.len());
-    for (f, v) in draft.faces.enumerate() {
-        if !is_flat(draft, f) {
+    let mut has_area = IdVec::<VertexId, bool>::filled(false, mesh.positions.len());
+    for (f, v) in mesh.faces.enumerate() {
+        if !is_flat(mesh, f) {
             has_area[parts.part(v[0])] = true;
         }
     }
-    draft.faces.iter().map(|v| !has_area[parts.part(v[0])]).collect()
+    mesh.faces.iter().map(|v| !has_area[parts.part(v[0])]).collect()
 }
 
 struct Mender<'a> {
-    draft: &'a mut Draft,
+    mesh: &'a mut EditableMesh,
     /// The face of every directed edge.
     face_of: FxHashMap<[VertexId; 2], FaceId>,
     dropped: IdVec<FaceId, bool>,
 }
 
 impl<'a> Mender<'a> {
-    fn new(draft: &'a mut Draft) -> Self {
-        let dropped = IdVec::filled(false, draft.faces.len());
-        let mut mender = Self { draft, face_of: FxHashMap::default(), dropped };
-        for f in mender.draft.faces.ids() {
+    fn new(mesh: &'a mut EditableMesh) -> Self {
+        let dropped = IdVec::filled(false, mesh.faces.len());
+        let mut mender = Self { mesh, face_of: FxHashMap::default(), dropped };
+        for f in mender.mesh.faces.ids() {
             mender.enter(f);
         }
         mender
@@ -75,9 +75,9 @@ impl<'a> Mender<'a> {
     fn run(&mut self, mut flat: Vec<FaceId>, report: &mut CleanReport) {
         loop {
             let mut changed = false;
-            flat.retain(|&f| !self.dropped[f] && is_flat(self.draft, f));
+            flat.retain(|&f| !self.dropped[f] && is_flat(self.mesh, f));
             for &f in &flat {
-                if self.dropped[f] || !is_flat(self.draft, f) {
+                if self.dropped[f] || !is_flat(self.mesh, f) {
                     continue;
                 }
                 match self.mend(f) {
@@ -100,18 +100,18 @@ impl<'a> Mender<'a> {
             self.dropped[f] = true;
             return Mended::Dropped;
         };
-        let Some(d) = self.draft.faces[g].into_iter().find(|&v| v != a && v != b) else { return Mended::Not };
+        let Some(d) = self.mesh.faces[g].into_iter().find(|&v| v != a && v != b) else { return Mended::Not };
         let free = !self.face_of.contains_key(&[c, d]) && !self.face_of.contains_key(&[d, c]);
-        if c == d || !free || !self.gains([a, b, c, d], is_flat(self.draft, g)) {
+        if c == d || !free || !self.gains([a, b, c, d], is_flat(self.mesh, g)) {
             return Mended::Not;
         }
         self.leave(f);
         self.leave(g);
-        self.draft.faces[f] = [c, a, d];
-        self.draft.faces[g] = [d, b, c];
+        self.mesh.faces[f] = [c, a, d];
+        self.mesh.faces[g] = [d, b, c];
         // The flat face took up nothing of the surface: both halves lie in the neighbour.
-        self.draft.source_face[f] = self.draft.source_face[g];
-        self.draft.turned[f] = self.draft.turned[g];
+        self.mesh.source_face[f] = self.mesh.source_face[g];
+        self.mesh.turned[f] = self.mesh.turned[g];
         self.enter(f);
         self.enter(g);
         Mended::Flipped
@@ -121,7 +121,7 @@ impl<'a> Mender<'a> {
     /// of coordinates underflow; there flips would go round in circles.
     fn gains(&self, [a, b, c, d]: [VertexId; 4], neighbour_is_flat: bool) -> bool {
         let flat = |corners: [VertexId; 3]| {
-            let [p, q, r] = corners.map(|v| self.draft.positions[v]);
+            let [p, q, r] = corners.map(|v| self.mesh.positions[v]);
             collinear(p, q, r)
         };
         let before = 1 + usize::from(neighbour_is_flat);
@@ -130,7 +130,7 @@ impl<'a> Mender<'a> {
     }
 
     fn longest_edge_first(&self, f: FaceId) -> [VertexId; 3] {
-        let [a, b, c] = self.draft.faces[f];
+        let [a, b, c] = self.mesh.faces[f];
         let (ab, bc, ca) = (self.length(a, b), self.length(b, c), self.length(c, a));
         if ab >= bc && ab >= ca {
             [a, b, c]
@@ -142,18 +142,18 @@ impl<'a> Mender<'a> {
     }
 
     fn length(&self, a: VertexId, b: VertexId) -> f64 {
-        self.draft.positions[a].distance(self.draft.positions[b])
+        self.mesh.positions[a].distance(self.mesh.positions[b])
     }
 
     fn enter(&mut self, f: FaceId) {
-        let [a, b, c] = self.draft.faces[f];
+        let [a, b, c] = self.mesh.faces[f];
         for edge in [[a, b], [b, c], [c, a]] {
             self.face_of.insert(edge, f);
         }
     }
 
     fn leave(&mut self, f: FaceId) {
-        let [a, b, c] = self.draft.faces[f];
+        let [a, b, c] = self.mesh.faces[f];
         for edge in [[a, b], [b, c], [c, a]] {
             self.face_of.remove(&edge);
         }

@@ -6,78 +6,25 @@
 //! renumbered, turned or cut apart in place.
 
 mod cracks;
-mod draft;
 mod edges;
+mod editable_mesh;
 mod mend;
 mod needles;
 mod orient;
 mod pairing;
 mod repeats;
+mod report;
 mod split;
 mod weld;
 
+use crate::limits::{MOST_FACES, MOST_VERTICES};
 use crate::{FaceId, IdVec, MeshError, Soup, Topology, TopologyError, TriMesh, VertexId};
-use draft::Draft;
+use editable_mesh::EditableMesh;
+
+pub use report::{CleanOptions, CleanReport};
 
 pub(crate) use edges::edge_groups;
 pub(crate) use weld::{is_usable, merge_equal};
-
-/// What to repair beyond what must be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CleanOptions {
-    /// Vertices on a border that are at most this far apart are merged, as a share of the diagonal of the box; from 0 to about 1e-3.
-    /// Default 1e-6, some rounding of the single precision that files have. With 0 only vertices at exactly the same position are.
-    ///
-    /// Of 200 models from the net 8 have cracks that 1e-7 closes; remeshed with them, each side of a crack goes its own way.
-    pub weld_tolerance: f64,
-}
-
-impl Default for CleanOptions {
-    fn default() -> Self {
-        Self { weld_tolerance: 1e-6 }
-    }
-}
-
-/// How often each repair was made. All 0 for a mesh that was clean.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct CleanReport {
-    /// Triangles dropped: a vertex index is out of range.
-    pub bad_index: usize,
-    /// Triangles dropped: a coordinate is infinite, not a number, or larger than 1e75.
-    pub not_finite: usize,
-    /// Vertices merged into another one at exactly the same position.
-    pub merged_exactly: usize,
-    /// Vertices on a border merged into another one there within the tolerance.
-    pub merged_by_tolerance: usize,
-    /// Triangles dropped: two corners are the same vertex, after merging.
-    pub collapsed: usize,
-    /// Triangles dropped: two that lie on each other, joined along an edge of their own: a fold that closes without them.
-    pub flaps: usize,
-    /// Triangles dropped: another one has the same three vertices. Two that face opposite ways both stay where each belongs to
-    /// a part of its own, such as the common wall of two solids; of a double sheet one side stays.
-    pub repeated: usize,
-    /// Triangles turned over, to face the same way as their neighbours.
-    pub turned: usize,
-    /// Edges cut because the surface has one side only, like a Moebius strip.
-    pub orientation_cuts: usize,
-    /// Edges where more than two triangles meet, before the cut into leaves.
-    pub non_manifold_edges: usize,
-    /// Of these, edges where a leaf ends: it has no other one to go on into.
-    pub leaf_cuts: usize,
-    /// Edges split in their middle, because another edge has the same two ends.
-    pub split_edges: usize,
-    /// Copies of vertices made where leaves meet, bit for bit at the same position.
-    pub vertex_copies: usize,
-    /// Triangles without area mended by flipping their longest edge.
-    pub zero_area_flipped: usize,
-    /// Triangles without area dropped: they are at a border, or in a part without any area, or hang on an edge as needles (at most a
-    /// millionth as high as long).
-    pub zero_area_dropped: usize,
-    /// Triangles without area dropped though that opens the surface, along a line and by no width: no flip mends them.
-    pub zero_area_opened: usize,
-    /// Vertices dropped: no triangle uses them.
-    pub unused_vertices: usize,
-}
 
 /// A mesh ready for work, and where it came from.
 #[derive(Clone, Debug)]
@@ -93,6 +40,9 @@ pub struct Cleaned {
     /// What was repaired.
     pub report: CleanReport,
 }
+
+/// The most triangles that can be cleaned.
+const MOST_TRIANGLES: usize = MOST_FACES / 4;
 
 /// Why there is nothing to work on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -112,6 +62,16 @@ pub enum CleanError {
         /// Of these without area.
         without_area: usize,
     },
+    /// There are more vertices or triangles than cleaning can number: a split may make four of one triangle.
+    #[error(
+        "{vertices} vertices and {triangles} triangles are more than can be cleaned ({MOST_VERTICES} and {MOST_TRIANGLES}); simplify the mesh"
+    )]
+    TooLarge {
+        /// Vertices read.
+        vertices: usize,
+        /// Triangles read.
+        triangles: usize,
+    },
     /// A fault of this program: the repaired faces are not a mesh.
     #[error("cleaning left a broken mesh, please report this: {0}")]
     BrokenMesh(#[from] MeshError),
@@ -122,34 +82,38 @@ pub enum CleanError {
 
 /// Makes an oriented manifold of a soup. Keeps the order of vertices and faces; a clean mesh comes back as it was.
 pub fn clean(soup: &Soup, options: &CleanOptions) -> Result<Cleaned, CleanError> {
+    let (vertices, triangles) = (soup.positions.len(), soup.triangles.len());
+    if vertices > MOST_VERTICES || triangles > MOST_TRIANGLES {
+        return Err(CleanError::TooLarge { vertices, triangles });
+    }
     let mut report = CleanReport::default();
-    let mut draft = weld::weld(soup, &mut report);
-    cracks::close_cracks(&mut draft, options, &mut report);
-    repeats::drop_second_layers(&mut draft, &mut report);
-    needles::drop_hanging(&mut draft, &mut report);
-    repeats::drop_flaps(&mut draft, &mut report);
-    repeats::drop_same_way(&mut draft, &mut report);
+    let mut mesh = weld::weld(soup, &mut report);
+    cracks::close_cracks(&mut mesh, options, &mut report);
+    repeats::drop_second_layers(&mut mesh, &mut report);
+    needles::drop_hanging(&mut mesh, &mut report);
+    repeats::drop_flaps(&mut mesh, &mut report);
+    repeats::drop_same_way(&mut mesh, &mut report);
     let pairing = loop {
-        orient::orient(&mut draft);
-        let pairing = pairing::pair(&draft);
-        if !repeats::drop_double_sheets(&mut draft, &pairing.twins, &mut report) {
+        orient::orient(&mut mesh);
+        let pairing = pairing::pair(&mesh);
+        if !repeats::drop_double_sheets(&mut mesh, &pairing.twins, &mut report) {
             break pairing;
         }
     };
     report.non_manifold_edges = pairing.non_manifold_edges;
     report.orientation_cuts = pairing.orientation_cuts;
     report.leaf_cuts = pairing.leaf_cuts;
-    report.split_edges = split::split(&mut draft, &pairing.twins);
-    if mend::mend_zero_area(&mut draft, &mut report) {
-        let pairing = pairing::pair(&draft);
-        report.split_edges += split::split(&mut draft, &pairing.twins);
+    report.split_edges = split::split(&mut mesh, &pairing.twins);
+    if mend::mend_zero_area(&mut mesh, &mut report) {
+        let pairing = pairing::pair(&mesh);
+        report.split_edges += split::split(&mut mesh, &pairing.twins);
     }
-    finish(draft, soup, report)
+    finish(mesh, soup, report)
 }
 
-fn finish(draft: Draft, soup: &Soup, mut report: CleanReport) -> Result<Cleaned, CleanError> {
-    let draft = draft.without_unused_vertices();
-    if draft.faces.is_empty() {
+fn finish(edited: EditableMesh, soup: &Soup, mut report: CleanReport) -> Result<Cleaned, CleanError> {
+    let edited = edited.without_unused_vertices();
+    if edited.faces.is_empty() {
         return Err(CleanError::NothingLeft {
             triangles: soup.triangles.len(),
             bad_index: report.bad_index,
@@ -158,17 +122,17 @@ fn finish(draft: Draft, soup: &Soup, mut report: CleanReport) -> Result<Cleaned,
         });
     }
     // Vertices in the middle of split edges are none of the soup's.
-    let stayed = |&(v, &source): &(VertexId, &u32)| draft.positions[v] == soup.positions[source as usize];
-    let mut sources: Vec<u32> = draft.source_vertex.enumerate().filter(stayed).map(|(_, &source)| source).collect();
+    let stayed = |&(v, &source): &(VertexId, &u32)| edited.positions[v] == soup.positions[source as usize];
+    let mut sources: Vec<u32> = edited.source_vertex.enumerate().filter(stayed).map(|(_, &source)| source).collect();
     let in_place = sources.len();
     sources.sort_unstable();
     sources.dedup();
     let kept = sources.len();
     report.vertex_copies = in_place - kept;
     report.unused_vertices = soup.positions.len() - report.merged_exactly - report.merged_by_tolerance - kept;
-    report.turned = draft.turned.iter().filter(|&&t| t).count();
-    let faces = draft.faces.iter().map(|f| f.map(|v| v.0)).collect();
-    let mesh = TriMesh::new(draft.positions.into_vec(), faces)?;
+    report.turned = edited.turned.iter().filter(|&&t| t).count();
+    let faces = edited.faces.iter().map(|f| f.map(|v| v.0)).collect();
+    let mesh = TriMesh::new(edited.positions.into_vec(), faces)?;
     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    Ok(Cleaned { mesh, topology, source_face: draft.source_face, source_vertex: draft.source_vertex, report })
+    Ok(Cleaned { mesh, topology, source_face: edited.source_face, source_vertex: edited.source_vertex, report })
 }

@@ -1,7 +1,7 @@
 //! Needles that hang on a surface.
 
-use super::CleanReport;
-use super::draft::Draft;
+use super::editable_mesh::EditableMesh;
+use super::report::CleanReport;
 use crate::{FaceId, IdVec, VertexId};
 use rustc_hash::FxHashMap;
 
@@ -12,25 +12,25 @@ const NEEDLE: f64 = 1e-6;
 /// Drops the needles that hang on other faces by one side at most, again and again. There is no surface on them to be lost, but
 /// with them their edge would be one of three faces, where neighbours can't tell who goes on into whom. A needle that holds
 /// two sides together stays: it fills a T-junction.
-pub(super) fn drop_hanging(draft: &mut Draft, report: &mut CleanReport) {
-    let mut queue: Vec<FaceId> = draft.faces.ids().filter(|&f| is_needle(draft, f)).collect();
+pub(super) fn drop_hanging(mesh: &mut EditableMesh, report: &mut CleanReport) {
+    let mut queue: Vec<FaceId> = mesh.faces.ids().filter(|&f| is_needle(mesh, f)).collect();
     if queue.is_empty() {
         return;
     }
-    let mut around = Sides::of(draft, &queue);
-    let mut drop = IdVec::<FaceId, bool>::filled(false, draft.faces.len());
+    let mut around = Sides::of(mesh, &queue);
+    let mut drop = IdVec::<FaceId, bool>::filled(false, mesh.faces.len());
     while let Some(f) = queue.pop() {
-        let sides = sides(draft.faces[f]);
-        if !drop[f] && is_needle(draft, f) && sides.iter().filter(|&side| around.is_shared(side)).count() <= 1 {
+        let sides = sides(mesh.faces[f]);
+        if !drop[f] && is_needle(mesh, f) && sides.iter().filter(|&side| around.is_shared(side)).count() <= 1 {
             drop[f] = true;
             sides.iter().for_each(|side| around.leave(side, &mut queue));
         }
     }
-    report.zero_area_dropped += draft.drop_faces(&drop);
+    report.zero_area_dropped += mesh.drop_faces(&drop);
 }
 
-fn is_needle(draft: &Draft, f: FaceId) -> bool {
-    let [a, b, c] = draft.triangle(f);
+fn is_needle(mesh: &EditableMesh, f: FaceId) -> bool {
+    let [a, b, c] = mesh.triangle(f);
     let longest = (b - a).length().max((c - b).length()).max((a - c).length());
     (b - a).cross(c - a).length() <= NEEDLE * longest * longest
 }
@@ -47,12 +47,12 @@ struct Sides {
 }
 
 impl Sides {
-    fn of(draft: &Draft, needles: &[FaceId]) -> Self {
+    fn of(mesh: &EditableMesh, needles: &[FaceId]) -> Self {
         let mut at: FxHashMap<Side, (usize, Vec<FaceId>)> = FxHashMap::default();
-        for side in needles.iter().flat_map(|&f| sides(draft.faces[f])) {
+        for side in needles.iter().flat_map(|&f| sides(mesh.faces[f])) {
             at.entry(side).or_default();
         }
-        for (f, &corners) in draft.faces.enumerate() {
+        for (f, &corners) in mesh.faces.enumerate() {
             for side in sides(corners) {
                 if let Some((left, faces)) = at.get_mut(&side) {
                     *left += 1;

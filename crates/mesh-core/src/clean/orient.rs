@@ -1,7 +1,7 @@
 //! Making neighbours face the same way.
 
-use super::draft::Draft;
 use super::edges::edge_groups;
+use super::editable_mesh::EditableMesh;
 use crate::{FaceId, IdVec};
 use glam::DVec3;
 use std::collections::VecDeque;
@@ -10,21 +10,21 @@ use std::collections::VecDeque;
 ///
 /// In each part connected by such edges most faces stay as they are, but a closed part in which any has to be turned is
 /// made to face outwards.
-pub(super) fn orient(draft: &mut Draft) {
-    let sides = Sides::of(draft);
-    let mut turn = IdVec::<FaceId, Option<bool>>::filled(None, draft.faces.len());
-    for start in draft.faces.ids() {
+pub(super) fn orient(mesh: &mut EditableMesh) {
+    let sides = Sides::of(mesh);
+    let mut turn = IdVec::<FaceId, Option<bool>>::filled(None, mesh.faces.len());
+    for start in mesh.faces.ids() {
         if turn[start].is_some() {
             continue;
         }
         let part = sides.flood(start, &mut turn);
-        sides.shorten_cut(draft, &part, &mut turn);
+        sides.shorten_cut(mesh, &part, &mut turn);
         let turned = part.iter().filter(|&&f| turn[f] == Some(true)).count();
         // Turn the others instead?
-        let invert = if turned > 0 && sides.closed(&part) { volume(draft, &part, &turn) < 0.0 } else { 2 * turned > part.len() };
+        let invert = if turned > 0 && sides.closed(&part) { volume(mesh, &part, &turn) < 0.0 } else { 2 * turned > part.len() };
         for f in part {
             if turn[f] != Some(invert) {
-                draft.turn(f);
+                mesh.turn(f);
             }
         }
     }
@@ -36,11 +36,11 @@ struct Sides {
 }
 
 impl Sides {
-    fn of(draft: &Draft) -> Self {
-        let mut neighbours = IdVec::<FaceId, _>::filled([None; 3], draft.faces.len());
-        for uses in edge_groups(&draft.faces).iter() {
+    fn of(mesh: &EditableMesh) -> Self {
+        let mut neighbours = IdVec::<FaceId, _>::filled([None; 3], mesh.faces.len());
+        for uses in edge_groups(&mesh.faces).iter() {
             if let &[(_, g), (_, h)] = uses {
-                let disagree = draft.from(g) == draft.from(h);
+                let disagree = mesh.from(g) == mesh.from(h);
                 neighbours[g.face()][g.corner()] = Some((h.face(), disagree));
                 neighbours[h.face()][h.corner()] = Some((g.face(), disagree));
             }
@@ -68,7 +68,7 @@ impl Sides {
 
     /// Where a one-sided surface is cut: turns single faces as long as that makes the cut shorter. Without it the cut is as jagged
     /// as the front of the flood. Ends, as every turn leaves a shorter cut.
-    fn shorten_cut(&self, draft: &Draft, part: &[FaceId], turn: &mut IdVec<FaceId, Option<bool>>) {
+    fn shorten_cut(&self, mesh: &EditableMesh, part: &[FaceId], turn: &mut IdVec<FaceId, Option<bool>>) {
         /// Rounding must not turn a face to and fro.
         const SHORTER: f64 = 1.0 - 1e-9;
         let mut again = true;
@@ -78,7 +78,7 @@ impl Sides {
                 let (mut cut, mut whole) = (0.0, 0.0);
                 for (c, &side) in self.neighbours[f].iter().enumerate() {
                     let Some((g, disagree)) = side else { continue };
-                    let ends = [c, (c + 1) % 3].map(|i| draft.positions[draft.faces[f][i]]);
+                    let ends = [c, (c + 1) % 3].map(|i| mesh.positions[mesh.faces[f][i]]);
                     let is_cut = (turn[f] != turn[g]) != disagree;
                     *if is_cut { &mut cut } else { &mut whole } += ends[0].distance(ends[1]);
                 }
@@ -96,10 +96,10 @@ impl Sides {
 }
 
 /// Volume inside a closed part after turning, positive when it then faces outwards.
-fn volume(draft: &Draft, part: &[FaceId], turn: &IdVec<FaceId, Option<bool>>) -> f64 {
-    let origin: DVec3 = draft.triangle(part[0])[0];
+fn volume(mesh: &EditableMesh, part: &[FaceId], turn: &IdVec<FaceId, Option<bool>>) -> f64 {
+    let origin: DVec3 = mesh.triangle(part[0])[0];
     let six_times = |f: FaceId| {
-        let [a, b, c] = draft.triangle(f).map(|p| p - origin);
+        let [a, b, c] = mesh.triangle(f).map(|p| p - origin);
         let sign = if turn[f] == Some(true) { -1.0 } else { 1.0 };
         sign * a.dot(b.cross(c))
     };

@@ -1,28 +1,28 @@
 //! One vertex for every fan.
 
-use super::draft::{Draft, Twins};
 use super::edges::edge_groups;
+use super::editable_mesh::{EditableMesh, Twins};
 use crate::{FaceId, HalfedgeId, Id, IdVec, VertexId};
 
 /// Gives every fan of faces around a vertex a vertex of its own, at the same position.
 ///
 /// Two different edges may still have the same two ends, as where a surface touches itself along one edge. All of them but the
 /// first get a vertex in their middle. Returns how many these are.
-pub(super) fn split(draft: &mut Draft, twins: &Twins) -> usize {
-    split_vertices(draft, twins);
-    let middles = Middles::of_doubled_edges(draft, twins);
-    middles.insert(draft);
+pub(super) fn split(mesh: &mut EditableMesh, twins: &Twins) -> usize {
+    split_vertices(mesh, twins);
+    let middles = Middles::of_doubled_edges(mesh, twins);
+    middles.insert(mesh);
     middles.count
 }
 
 /// Numbers the fans by their old vertex, then by their first face.
-fn split_vertices(draft: &mut Draft, twins: &Twins) {
+fn split_vertices(mesh: &mut EditableMesh, twins: &Twins) {
     let mut fan_of = IdVec::<HalfedgeId, Option<usize>>::filled(None, twins.len());
-    let mut fans: Vec<(VertexId, usize)> = Vec::with_capacity(draft.positions.len());
+    let mut fans: Vec<(VertexId, usize)> = Vec::with_capacity(mesh.positions.len());
     for h in twins.ids() {
         if fan_of[h].is_none() {
             mark_fan(h, twins, &mut fan_of, fans.len());
-            fans.push((draft.from(h), fans.len()));
+            fans.push((mesh.from(h), fans.len()));
         }
     }
     fans.sort_unstable();
@@ -30,11 +30,11 @@ fn split_vertices(draft: &mut Draft, twins: &Twins) {
     for (i, &(_, fan)) in fans.iter().enumerate() {
         new[fan] = VertexId::new(i);
     }
-    draft.positions = fans.iter().map(|&(v, _)| draft.positions[v]).collect();
-    draft.source_vertex = fans.iter().map(|&(v, _)| draft.source_vertex[v]).collect();
+    mesh.positions = fans.iter().map(|&(v, _)| mesh.positions[v]).collect();
+    mesh.source_vertex = fans.iter().map(|&(v, _)| mesh.source_vertex[v]).collect();
     for h in twins.ids() {
         if let Some(fan) = fan_of[h] {
-            draft.faces[h.face()][h.corner()] = new[fan];
+            mesh.faces[h.face()][h.corner()] = new[fan];
         }
     }
 }
@@ -64,17 +64,17 @@ struct Middles {
 }
 
 impl Middles {
-    /// Adds the vertices to the draft, but not yet to its faces.
-    fn of_doubled_edges(draft: &mut Draft, twins: &Twins) -> Self {
+    /// Adds the vertices to the mesh, but not yet to its faces.
+    fn of_doubled_edges(mesh: &mut EditableMesh, twins: &Twins) -> Self {
         let mut middles = Self { count: 0, on: IdVec::filled(None, twins.len()) };
-        for uses in edge_groups(&draft.faces).iter() {
+        for uses in edge_groups(&mesh.faces).iter() {
             let ([a, b], first) = uses[0];
             for &(_, h) in &uses[1..] {
                 if twins[h] == Some(first) || middles.on[h].is_some() {
                     continue;
                 }
-                let middle = draft.positions.push(draft.positions[a].midpoint(draft.positions[b]));
-                draft.source_vertex.push(draft.source_vertex[a]);
+                let middle = mesh.positions.push(mesh.positions[a].midpoint(mesh.positions[b]));
+                mesh.source_vertex.push(mesh.source_vertex[a]);
                 middles.count += 1;
                 middles.on[h] = Some(middle);
                 if let Some(twin) = twins[h] {
@@ -85,19 +85,19 @@ impl Middles {
         middles
     }
 
-    fn insert(&self, draft: &mut Draft) {
-        for f in (0..draft.faces.len()).map(FaceId::new) {
+    fn insert(&self, mesh: &mut EditableMesh) {
+        for f in (0..mesh.faces.len()).map(FaceId::new) {
             let sides = [0, 1, 2].map(|c| self.on[HalfedgeId::of(f, c)]);
             if sides.iter().any(Option::is_some) {
-                split_face(draft, f, sides);
+                split_face(mesh, f, sides);
             }
         }
     }
 }
 
 /// Splits a face at the given vertices on its sides. The first piece takes its place, others are added.
-fn split_face(draft: &mut Draft, f: FaceId, sides: [Option<VertexId>; 3]) {
-    let [a, b, c] = draft.faces[f];
+fn split_face(mesh: &mut EditableMesh, f: FaceId, sides: [Option<VertexId>; 3]) {
+    let [a, b, c] = mesh.faces[f];
     let Some(side) = sides.iter().position(Option::is_some) else { return };
     // From here on the side is the first one, as in the drawing of a, b, c.
     let ([a, b, c], [middle, bc, ca]) = match side {
@@ -106,10 +106,10 @@ fn split_face(draft: &mut Draft, f: FaceId, sides: [Option<VertexId>; 3]) {
         _ => ([c, a, b], [sides[2], sides[0], sides[1]]),
     };
     let Some(middle) = middle else { return };
-    draft.faces[f] = [a, middle, c];
-    let other = draft.faces.push([middle, b, c]);
-    draft.source_face.push(draft.source_face[f]);
-    draft.turned.push(draft.turned[f]);
-    split_face(draft, f, [None, None, ca]);
-    split_face(draft, other, [None, bc, None]);
+    mesh.faces[f] = [a, middle, c];
+    let other = mesh.faces.push([middle, b, c]);
+    mesh.source_face.push(mesh.source_face[f]);
+    mesh.turned.push(mesh.turned[f]);
+    split_face(mesh, f, [None, None, ca]);
+    split_face(mesh, other, [None, bc, None]);
 }

@@ -1,18 +1,18 @@
 //! Merging vertices at one position, and dropping what is no triangle before or after that.
 
-use super::CleanReport;
-use super::draft::Draft;
+use super::editable_mesh::EditableMesh;
+use super::report::CleanReport;
 use crate::{IdVec, Soup, VertexId};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
 /// The triangles of a soup with merged vertices, without those that are out of range, not finite or collapsed.
-pub(super) fn weld(soup: &Soup, report: &mut CleanReport) -> Draft {
+pub(super) fn weld(soup: &Soup, report: &mut CleanReport) -> EditableMesh {
     let merged = merge_equal(&soup.positions);
     report.merged_exactly = merged.iter().enumerate().filter(|&(i, &m)| m as usize != i).count();
     // Adding 0 makes 0 of -0, here and below.
-    let mut draft = Draft { positions: soup.positions.iter().map(|&p| p + 0.0).collect(), ..Draft::default() };
-    draft.source_vertex = (0..soup.positions.len() as u32).collect();
+    let mut mesh = EditableMesh { positions: soup.positions.iter().map(|&p| p + 0.0).collect(), ..EditableMesh::default() };
+    mesh.source_vertex = (0..soup.positions.len() as u32).collect();
     for (i, triangle) in soup.triangles.iter().enumerate() {
         if triangle.iter().any(|&v| v as usize >= soup.positions.len()) {
             report.bad_index += 1;
@@ -23,13 +23,13 @@ pub(super) fn weld(soup: &Soup, report: &mut CleanReport) -> Draft {
             if a == b || b == c || c == a {
                 report.collapsed += 1;
             } else {
-                draft.faces.push([a, b, c]);
-                draft.source_face.push(i as u32);
+                mesh.faces.push([a, b, c]);
+                mesh.source_face.push(i as u32);
             }
         }
     }
-    draft.turned = IdVec::filled(false, draft.faces.len());
-    draft
+    mesh.turned = IdVec::filled(false, mesh.faces.len());
+    mesh
 }
 
 /// Coordinates beyond this are taken for not finite: products of four of them would be.

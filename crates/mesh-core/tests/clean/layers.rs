@@ -1,6 +1,7 @@
 //! Triangles that lie on others: repeated ones, double sheets, needles, flaps.
 
-use super::*;
+use crate::shapes::{CORNERS, TETRAHEDRON, cleaned, n_components, n_loops, sheet, soup};
+use glam::DVec3;
 
 #[test]
 fn of_equal_triangles_one_stays() {

@@ -1,4 +1,4 @@
-//! [`Draft`]: the mesh while it is being cleaned.
+//! [`EditableMesh`]: the mesh while it is being cleaned.
 
 use crate::{FaceId, HalfedgeId, IdVec, VertexId};
 use glam::DVec3;
@@ -8,7 +8,7 @@ pub(super) type Twins = IdVec<HalfedgeId, Option<HalfedgeId>>;
 
 /// Faces with three different vertices in range and at different positions.
 #[derive(Clone, Default)]
-pub(super) struct Draft {
+pub(super) struct EditableMesh {
     pub(super) positions: IdVec<VertexId, DVec3>,
     /// Vertex of the soup.
     pub(super) source_vertex: IdVec<VertexId, u32>,
@@ -19,7 +19,7 @@ pub(super) struct Draft {
     pub(super) turned: IdVec<FaceId, bool>,
 }
 
-impl Draft {
+impl EditableMesh {
     pub(super) fn from(&self, h: HalfedgeId) -> VertexId {
         self.faces[h.face()][h.corner()]
     }
@@ -54,7 +54,7 @@ impl Draft {
         for &v in self.faces.iter().flatten() {
             used[v] = true;
         }
-        let mut kept = Draft::default();
+        let mut kept = EditableMesh::default();
         let mut new = IdVec::<VertexId, VertexId>::filled(VertexId(0), self.positions.len());
         for v in used.ids().filter(|&v| used[v]) {
             new[v] = kept.positions.push(self.positions[v]);
@@ -63,6 +63,6 @@ impl Draft {
         for v in self.faces.iter_mut().flatten() {
             *v = new[*v];
         }
-        Draft { positions: kept.positions, source_vertex: kept.source_vertex, ..self }
+        EditableMesh { positions: kept.positions, source_vertex: kept.source_vertex, ..self }
     }
 }
