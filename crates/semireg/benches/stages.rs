@@ -1,9 +1,8 @@
 //! Every stage by itself, and the whole: `cargo bench -p semireg [-- FILTER]`.
 
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
-use mesh_core::{Soup, Topology, TriMesh};
-use region_map::Surface;
-use semireg::{Options, Stages, remesh};
+use mesh_core::{Soup, TriMesh};
+use semireg::{Options, remesh};
 use std::error::Error;
 use std::hint::black_box;
 use std::time::Duration;
@@ -29,25 +28,25 @@ fn all(criterion: &mut Criterion) {
 fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<dyn Error>> {
     let options = Options { base_vertices: Some(BASE_VERTICES), levels: LEVELS, ..Options::default() };
     let remeshed = remesh(soup, &options)?;
-    let Stages { base: stages, .. } = &remeshed.stages;
+    let stages = &remeshed.stages.base;
     let patches = stages.patches.as_ref().ok_or("no patches")?;
-    let (cleaned, mesh, topology) = (&stages.cleaned, &stages.working.mesh, &stages.working.topology);
-    let surface = Surface { mesh, topology, network: &stages.network, normals: &stages.normals };
+    let base = stages.base.mapped().ok_or("the base mesh has no map")?;
+    let (cleaned, surface) = (&stages.cleaned, &stages.surface);
+    let (mesh, topology) = (surface.mesh(), surface.topology());
+    let reference = certify::Reference::new(cleaned.mesh.clone())?;
     let base_edge_length = mesh_core::equilateral_edge_length(mesh.total_area(), BASE_VERTICES);
 
     let refining = refine::RefineOptions::new(0.5 * base_edge_length);
-    let detecting = features::FeatureOptions { base_edge_length, ..options.features.clone() };
     let segmenting = segment_vsa::VsaOptions { max_patches: BASE_VERTICES / 8, base_edge_length, ..Default::default() };
     let uniform = region_map::Sizing::uniform(mesh);
     let sampling = segment_cvt::CvtOptions { base_vertices: 2 * BASE_VERTICES, ..Default::default() };
     let sizing_options = sizing::SizingOptions::new(base_edge_length);
-    let sizing = sizing::sizing(&surface, &sizing_options);
+    let sizing = sizing::sizing(surface, &sizing_options)?;
     let building = basemesh::BaseOptions { base_vertices: BASE_VERTICES, ..Default::default() };
-    let domain = subdiv::subdivide(&stages.base.mesh, &stages.base.region, LEVELS)?;
-    let origins = Some(project::Origins { base: &stages.base, points: &domain.origins });
-    let projected = project::project(&surface, &domain.mesh, &domain.region, origins, &options.project)?;
-    let fine = Topology::new(domain.mesh.faces(), domain.mesh.n_vertices())?;
-    let relaxed = relax::relax(&surface, &projected.mesh, &fine, &projected.region, &options.relax)?;
+    let subdivided = subdiv::subdivide(&base.domain, LEVELS)?;
+    let origins = Some(project::Origins { base, points: &subdivided.origins });
+    let projected = project::project(surface, &subdivided.domain, origins, &options.project)?;
+    let relaxed = relax::relax(surface, &projected.domain, &options.relax)?;
     let fitting = fit::FitOptions::default();
 
     let mut group = criterion.benchmark_group(name);
@@ -56,22 +55,20 @@ fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<d
     // No result is looked at here: the pipeline has just passed on the same.
     group.bench_function("clean", |b| b.iter(|| mesh_core::clean(black_box(soup), &options.clean)));
     group.bench_function("refine", |b| b.iter(|| refine::refine(&cleaned.mesh, &cleaned.topology, &[], &refining)));
-    group.bench_function("features", |b| b.iter(|| features::detect(mesh, topology, &detecting)));
-    group.bench_function("segment", |b| b.iter(|| segment_vsa::segment(mesh, topology, &stages.network, &segmenting)));
-    group.bench_function("sizing", |b| b.iter(|| sizing::sizing(&surface, &sizing_options)));
-    group.bench_function("sample", |b| b.iter(|| segment_cvt::sample(mesh, &patches.cells, &uniform, &sampling)));
-    group.bench_function("base", |b| b.iter(|| basemesh::build(&surface, &patches.cells, &patches.sites, &sizing, &building)));
-    group.bench_function("decimate", |b| b.iter(|| basemesh::decimate(&surface, &sizing, &building)));
-    group.bench_function("subdivide", |b| b.iter(|| subdiv::subdivide(&stages.base.mesh, &stages.base.region, LEVELS)));
-    let projecting = || project::project(&surface, &domain.mesh, &domain.region, origins, &options.project);
-    group.bench_function("project", |b| b.iter(projecting));
-    let relaxing = || relax::relax(&surface, &projected.mesh, &fine, &projected.region, &options.relax);
-    group.bench_function("relax", |b| b.iter(relaxing));
-    let snapping = || snap::snap(&surface, &relaxed.mesh, &fine, &relaxed.map, &Default::default(), &Default::default());
+    let detecting = || features::detect(mesh, topology, &[], base_edge_length, &options.features);
+    group.bench_function("features", |b| b.iter(detecting));
+    group.bench_function("segment", |b| b.iter(|| segment_vsa::segment(surface, &segmenting)));
+    group.bench_function("sizing", |b| b.iter(|| sizing::sizing(surface, &sizing_options)));
+    group.bench_function("sample", |b| b.iter(|| segment_cvt::sample(surface, &patches.cells, &uniform, &sampling)));
+    group.bench_function("base", |b| b.iter(|| basemesh::build(surface, &patches.cells, &patches.sites, &sizing, &building)));
+    group.bench_function("decimate", |b| b.iter(|| basemesh::decimate(surface, &sizing, &building)));
+    group.bench_function("subdivide", |b| b.iter(|| subdiv::subdivide(&base.domain, LEVELS)));
+    group.bench_function("project", |b| b.iter(|| project::project(surface, &subdivided.domain, origins, &options.project)));
+    group.bench_function("relax", |b| b.iter(|| relax::relax(surface, &projected.domain, &options.relax)));
+    let snapping = || snap::snap(surface, &relaxed.domain, &Default::default(), &Default::default());
     group.bench_function("snap", |b| b.iter(snapping));
-    group.bench_function("fit", |b| b.iter(|| fit::fit(&surface, &relaxed.mesh, &fine, &relaxed.map, &fitting)));
-    let certifying = || certify::certify(&cleaned.mesh, &remeshed.mesh, LEVELS, &Default::default());
-    group.bench_function("certify", |b| b.iter(certifying));
+    group.bench_function("fit", |b| b.iter(|| fit::fit(surface, &relaxed.domain, &fitting)));
+    group.bench_function("certify", |b| b.iter(|| certify::certify(&reference, &remeshed.mesh, LEVELS, &Default::default())));
     group.bench_function("end to end", |b| b.iter(|| remesh(black_box(soup), &options)));
     group.finish();
     Ok(())

@@ -3,9 +3,9 @@
 //! `cargo run --release -p semireg --example ablation -- IN.obj BASE_VERTICES LEVELS` prints a JSON object a row, which
 //! `cargo xtask ablation` makes tables of. Results are measured as they come out, folded or not; nothing is certified.
 
-use certify::MeasureOptions;
+use certify::{MeasureOptions, Reference};
 use glam::DVec3;
-use mesh_core::{IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
+use mesh_core::{IdVec, TriMesh, VertexId};
 use project::{Origins, ProjectOptions, Projected, project};
 use region_map::Surface;
 use relax::{QuadricOptions, RelaxOptions, ShapeOptions, Weights, relax};
@@ -34,53 +34,46 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// A base mesh that the pipeline passed with, subdivided.
 struct Study<'a> {
-    original: &'a TriMesh,
+    original: Reference,
     stages: &'a Stages,
-    surface: Surface<'a>,
-    domain: SubdivDomain,
-    topology: Topology,
+    surface: &'a Surface,
+    subdivided: SubdivDomain,
 }
 
 impl<'a> Study<'a> {
     fn new(stages: &'a Stages, levels: u32) -> Result<Self, Box<dyn Error>> {
         let base = &stages.base;
-        let working = &base.working;
-        let surface =
-            Surface { mesh: &working.mesh, topology: &working.topology, network: &base.network, normals: &base.normals };
-        let domain = subdiv::subdivide(&base.base.mesh, &base.base.region, levels)?;
-        let topology = Topology::new(domain.mesh.faces(), domain.mesh.n_vertices())?;
-        Ok(Self { original: &base.cleaned.mesh, stages, surface, domain, topology })
+        let subdivided = subdiv::subdivide(base.base.domain(), levels)?;
+        Ok(Self { original: Reference::new(base.cleaned.mesh.clone())?, stages, surface: &base.surface, subdivided })
     }
 
     /// Section 4.2 and Fig. 5. Returns our own placement.
     fn placements(&self) -> Result<Projected, Box<dyn Error>> {
-        let base = &self.stages.base.base;
-        let place = |origins, ray_reach| {
-            project(&self.surface, &self.domain.mesh, &self.domain.region, origins, &ProjectOptions { ray_reach })
-        };
+        let base = self.stages.base.base.mapped().ok_or("the base mesh has no map")?;
+        let place =
+            |origins, ray_reach| project(self.surface, &self.subdivided.domain, origins, &ProjectOptions { ray_reach });
         let ray_reach = ProjectOptions::default().ray_reach;
-        let origins = Some(Origins { base, points: &self.domain.origins });
+        let origins = Some(Origins { base, points: &self.subdivided.origins });
         self.row("placement", "plain normal displacement", &self.plain_displacement()?)?;
-        self.row("placement", "regional normal displacement", &place(None, ray_reach)?.mesh)?;
-        self.row("placement", "by the base map", &place(origins, 0.0)?.mesh)?;
+        self.row("placement", "regional normal displacement", &place(None, ray_reach)?.domain.mesh)?;
+        self.row("placement", "by the base map", &place(origins, 0.0)?.domain.mesh)?;
         let ours = place(origins, ray_reach)?;
-        self.row("placement", "by the base map, then regional rays (ours)", &ours.mesh)?;
+        self.row("placement", "by the base map, then regional rays (ours)", &ours.domain.mesh)?;
         Ok(ours)
     }
 
     /// Every vertex to the nearer hit of the whole surface along its normal, where there is one: creases, sheets and components are
     /// not known. Normals are averaged four times over the one-ring, as those of the regional rays are.
     fn plain_displacement(&self) -> Result<TriMesh, Box<dyn Error>> {
-        let (mesh, topology) = (&self.domain.mesh, &self.topology);
+        let (mesh, topology) = (&self.subdivided.domain.mesh, &self.subdivided.domain.topology);
         let around = |v| topology.fan(v).map(|h| mesh_core::vector_area(mesh.triangle(h.face()))).sum::<DVec3>();
         let mut normals: IdVec<VertexId, DVec3> = mesh.positions().ids().map(|v| around(v).normalize_or_zero()).collect();
         for _ in 0..4 {
             let smooth = |v| (normals[v] + topology.one_ring(v).map(|w| normals[w]).sum::<DVec3>()).normalize_or_zero();
             normals = mesh.positions().ids().map(smooth).collect();
         }
-        let index = SurfaceIndex::new(self.surface.mesh);
         let displaced = |(v, &from): (VertexId, &DVec3)| {
-            let hits = index.first_hits_both_ways(from, normals[v]).into_iter().flatten();
+            let hits = self.surface.index().first_hits_both_ways(from, normals[v]).into_iter().flatten();
             hits.min_by(|a, b| a.t.total_cmp(&b.t)).map_or(from, |hit| hit.position)
         };
         Ok(mesh.with_positions(mesh.positions().enumerate().map(displaced).collect())?)
@@ -98,7 +91,7 @@ impl<'a> Study<'a> {
                 "quadric relaxation",
                 name,
                 start,
-                &RelaxOptions { quadric, shape: no_shape(), ..Default::default() },
+                &RelaxOptions { quadric, shape: no_shape() },
             )?;
         }
         Ok(())
@@ -108,7 +101,7 @@ impl<'a> Study<'a> {
     fn relaxations(&self, start: &Projected) -> Result<(), Box<dyn Error>> {
         let no_quadric = QuadricOptions { iterations: 0, ..QuadricOptions::default() };
         for (name, options) in [
-            ("none, but folds mended", RelaxOptions { quadric: no_quadric.clone(), shape: no_shape(), ..Default::default() }),
+            ("none, but folds mended", RelaxOptions { quadric: no_quadric.clone(), shape: no_shape() }),
             ("quadric part alone", RelaxOptions { shape: no_shape(), ..RelaxOptions::default() }),
             ("shape optimisation alone", RelaxOptions { quadric: no_quadric, ..RelaxOptions::default() }),
             ("both (ours)", RelaxOptions::default()),
@@ -119,13 +112,13 @@ impl<'a> Study<'a> {
     }
 
     fn relaxed_row(&self, group: &str, name: &str, start: &Projected, options: &RelaxOptions) -> Result<(), Box<dyn Error>> {
-        let relaxed = relax(&self.surface, &start.mesh, &self.topology, &start.region, options)?;
-        self.row(group, name, &relaxed.mesh)
+        let relaxed = relax(self.surface, &start.domain, options)?;
+        self.row(group, name, &relaxed.domain.mesh)
     }
 
     /// Measures a result and prints its row, under the names of `semireg remesh --json`.
     fn row(&self, group: &str, name: &str, mesh: &TriMesh) -> Result<(), Box<dyn Error>> {
-        let measures = certify::measure(self.original, mesh, &MeasureOptions::default())?;
+        let measures = certify::measure(&self.original, mesh, &MeasureOptions::default())?;
         let (quality, error) = (&measures.quality, measures.distance.worse());
         let or_null = |x: Option<String>| x.unwrap_or("null".to_owned());
         let figures = [

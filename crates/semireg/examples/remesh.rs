@@ -15,8 +15,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let base = &remeshed.report.base;
     println!("base vertices: asked {}, made {}", base.asked, base.made);
     println!("{} vertices, {} faces at level {}", remeshed.mesh.n_vertices(), remeshed.mesh.n_faces(), options.levels);
-    for (stage, seconds) in &remeshed.report.seconds.0 {
-        println!("{stage:10} {seconds:6.2} s");
+    for time in &remeshed.report.seconds.0 {
+        println!("{:10} {:6.2} s", time.stage, time.seconds);
     }
     if let Some(path) = files.get(1) {
         mesh_io::write(Path::new(path), &remeshed.mesh)?;

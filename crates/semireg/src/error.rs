@@ -1,8 +1,13 @@
 //! Why there is no result: the stage that failed, and its own error.
 
+use crate::verdict::Verdict;
+
 /// The error of a stage. Every message says what is wrong, where, and what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
+    /// The caller ended the run.
+    #[error("cancelled")]
+    Cancelled,
     /// Nothing is left after cleaning.
     #[error(transparent)]
     Clean(#[from] mesh_core::CleanError),
@@ -25,9 +30,18 @@ pub enum Error {
     /// Refining broke the mesh.
     #[error(transparent)]
     Refine(#[from] refine::RefineError),
+    /// The refined mesh is no surface: a bug of ours.
+    #[error("internal error in the working mesh: {0}; please report this with the input file")]
+    Surface(#[from] region_map::SurfaceError),
+    /// Sizing options don't fit.
+    #[error(transparent)]
+    Sizing(#[from] sizing::SizingError),
     /// Segmentation failed.
     #[error(transparent)]
     Segment(#[from] segment_vsa::VsaError),
+    /// Patches could not be split: a bug of ours.
+    #[error("internal error in the segmentation: {0}; please report this with the input file")]
+    Split(#[from] segment_vsa::SplitError),
     /// The segmentation is not a complex of disks: a bug of ours.
     #[error("internal error in the segmentation: {0}; please report this with the input file")]
     Cells(#[from] region_map::CellError),
@@ -40,7 +54,7 @@ pub enum Error {
     /// The finest level would be too large.
     #[error(
         "the result would have {triangles} triangles or more, as corners, creases and shape take at least {base_vertices} base vertices; ask \
-         for fewer levels (--levels), or for that many base vertices if you mean it (--base-vertices, at most {} triangles)",
+         for fewer levels, or for that many base vertices if you mean it (at most {} triangles)",
         crate::MAX_TRIANGLES
     )]
     TooLarge {
@@ -55,9 +69,9 @@ pub enum Error {
     /// Projection failed.
     #[error(transparent)]
     Project(#[from] project::ProjectError),
-    /// The subdivided mesh is not manifold: a bug of ours.
-    #[error("internal error in the subdivision: {0}; please report this with the input file")]
-    Topology(#[from] mesh_core::TopologyError),
+    /// The finest level could not be carried over to a bisected base mesh: a bug of ours.
+    #[error("internal error in the bisection of the base mesh: {0}; please report this with the input file")]
+    Carry(#[from] subdiv::CarryError),
     /// The result could not be measured.
     #[error(transparent)]
     Measure(#[from] certify::MeasureError),
@@ -72,14 +86,14 @@ pub enum Error {
     Snap(#[from] snap::SnapError),
     /// So much of the result is folded that a certificate is not worth its time.
     #[error(
-        "{inverted} of {faces} triangles would face against the surface: the base mesh is too coarse for its shape; ask for more base \
-         vertices (--base-vertices), or split the file into its parts"
+        "{folded} of {triangles} triangles would face against the surface: the base mesh is too coarse for its shape; ask for more base \
+         vertices, or split the input into its parts"
     )]
     Folded {
         /// Triangles that face against the surface.
-        inverted: usize,
+        folded: usize,
         /// Triangles in all.
-        faces: usize,
+        triangles: usize,
     },
     /// Nothing is left of a given base mesh after cleaning.
     #[error("the base mesh cannot be used: {0}")]
@@ -87,7 +101,7 @@ pub enum Error {
     /// A given base mesh is not manifold.
     #[error(
         "the base mesh is not an oriented manifold ({edges} edges where more than two triangles meet or sides change, {vertices} \
-         vertices where surfaces touch); repair it, or leave --base out"
+         vertices where surfaces touch); repair it, or give none"
     )]
     BaseNotManifold {
         /// Edges of more than two triangles or of contradicting orientation.
@@ -101,7 +115,7 @@ pub enum Error {
     /// The finished mesh on a given base mesh did not pass the certificate.
     #[error(
         "the result on the given base mesh is not certified: {failure}{untraced}; give a finer base mesh with better triangles, or \
-         leave --base out"
+         none"
     )]
     BaseNotCertified {
         /// What failed.
@@ -110,6 +124,16 @@ pub enum Error {
         untraced: String,
     },
     /// The finished mesh did not pass the certificate.
-    #[error("the result is not certified: {0}; ask for more base vertices (--base-vertices) or fewer levels")]
+    #[error("the result is not certified: {0}; ask for more base vertices or fewer levels")]
     NotCertified(String),
+}
+
+impl Error {
+    /// What a try comes to that ends with this error.
+    pub(crate) fn verdict(&self) -> Verdict {
+        match *self {
+            Self::Folded { folded, triangles } => Verdict::Faulty { faults: folded, triangles },
+            _ => Verdict::Failed { reason: self.to_string() },
+        }
+    }
 }

@@ -8,35 +8,36 @@
 //! let soup = fixtures::cube(3).to_soup();
 //! let remeshed = remesh(&soup, &Options { base_vertices: Some(40), levels: 2, ..Options::default() })?;
 //! assert!(remeshed.report.certificate.passed());
-//! let base = &remeshed.stages.base.base.mesh;
+//! let base = remeshed.stages.base.base.mesh();
 //! assert_eq!(remeshed.mesh.n_faces(), 16 * base.n_faces());
 //! # Ok::<(), semireg::Error>(())
 //! ```
 
-mod anchors;
-mod base_report;
-mod base_stages;
+mod attempt;
+mod base;
+mod best;
+mod candidate;
 mod error;
-mod failing;
-mod fitting;
+mod finish;
 mod input;
-mod ladder;
-mod marked;
 mod options;
-mod patches;
-mod pipeline;
-mod rating;
-mod repair;
+mod progress;
+mod remesh;
+mod remeshed;
 mod report;
-mod search;
-mod snapping;
-mod with_base;
+mod rescue;
+mod run;
+mod verdict;
 
-pub use base_stages::{BaseStages, Way};
+pub use attempt::{Attempt, EdgeChoice, Remedy};
+pub use base::{Base, BaseCounts, BaseStages, CellCounts, Patches, Way};
 pub use error::Error;
 pub use fit::FitReport;
 pub use options::Options;
-pub use patches::Patches;
-pub use pipeline::{Based, MAX_TRIANGLES, Remeshed, Stages, base, remesh};
-pub use report::{Report, StageSeconds};
-pub use with_base::remesh_with_base;
+pub use progress::{OnProgress, Progress};
+pub use remesh::{base, base_with, remesh, remesh_with};
+pub use remeshed::{Based, Remeshed, Stages};
+pub use report::{Report, SnapCounts};
+pub use rescue::MAX_TRIANGLES;
+pub use run::{StageSeconds, StageTime};
+pub use verdict::Verdict;

@@ -1,20 +1,26 @@
 //! What a user may choose.
 
 use glam::DVec3;
-use mesh_core::CleanOptions;
+use mesh_core::{CleanOptions, Soup};
 
 /// Options of the whole pipeline. Everything has a default that works.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Wanted number of base vertices; `None` takes 1.6 % of the cleaned input's, between 100 and 2000.
     pub base_vertices: Option<usize>,
+    /// A base mesh to take instead of one of our own: its vertices and faces keep their order, and `base_vertices` is not asked. It must be
+    /// an oriented manifold of the topology of the cleaned input. Default `None`.
+    ///
+    /// Creases that its edges don't follow are given up as minor. If its edges cannot be traced on the surface, vertices are placed by rays.
+    /// Warnings say so. There is one attempt, and nothing of the base mesh is changed.
+    pub base_mesh: Option<Soup>,
     /// How often every base face is split in four, 0 to 8. Default 3.
     pub levels: u32,
     /// Seed of all that is chosen at random. Default 0.
     pub seed: u64,
     /// Cleaning.
     pub clean: CleanOptions,
-    /// Creases and corners; its base edge length is set by the pipeline.
+    /// Creases and corners.
     pub features: features::FeatureOptions,
     /// Edges that are kept whatever their angle, by the positions of their ends: vertices of the input, to a millionth of its diagonal.
     pub marked_edges: Vec<[DVec3; 2]>,
@@ -30,6 +36,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             base_vertices: None,
+            base_mesh: None,
             levels: 3,
             seed: 0,
             clean: CleanOptions::default(),

@@ -1,33 +1,11 @@
 //! What was done, in figures.
 
+use crate::attempt::Attempt;
+use crate::base::{BaseCounts, CellCounts, Way};
+use crate::run::StageSeconds;
 use certify::Certificate;
 use mesh_core::CleanReport;
-use region_map::BaseCounts;
-use std::time::Instant;
-
-/// Wall time of the stages, in the order that they ran.
-#[derive(Clone, Debug, Default)]
-pub struct StageSeconds(pub Vec<(&'static str, f64)>);
-
-impl StageSeconds {
-    /// Runs a stage and keeps its time; a stage that runs again adds to it.
-    pub(crate) fn time<T>(&mut self, stage: &'static str, run: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
-        let result = run();
-        self.add(&Self(vec![(stage, start.elapsed().as_secs_f64())]));
-        result
-    }
-
-    /// Adds the times of others.
-    pub(crate) fn add(&mut self, other: &Self) {
-        for &(stage, seconds) in &other.0 {
-            match self.0.iter_mut().find(|s| s.0 == stage) {
-                Some(entry) => entry.1 += seconds,
-                None => self.0.push((stage, seconds)),
-            }
-        }
-    }
-}
+use region_map::CreaseLengths;
 
 /// Everything worth telling about a run.
 #[derive(Clone, Debug)]
@@ -36,22 +14,35 @@ pub struct Report {
     pub clean: CleanReport,
     /// Base vertices asked, needed and made.
     pub base: BaseCounts,
-    /// Patches, network corners and network arcs.
-    pub cells: [usize; 3],
-    /// Crease length kept in the network, and length of the creases that were left out as minor, in the units of the mesh.
-    pub crease_length: [f64; 2],
+    /// Where the base mesh comes from.
+    pub way: Way,
+    /// How the surface was cut up.
+    pub cells: CellCounts,
+    /// Crease length kept in the network, and length of the creases that were left out as minor.
+    pub crease_lengths: CreaseLengths,
+    /// What was tried, in order. The last base mesh is not always the one of the result: the best is kept.
+    pub attempts: Vec<Attempt>,
     /// What did not go as usual, in plain words.
     pub warnings: Vec<String>,
     /// What the projection did.
     pub project: project::ProjectReport,
     /// What the relaxation did.
     pub relax: relax::RelaxReport,
-    /// Bends of arcs and pieces of minor creases that the finest level was snapped to.
-    pub snapped: [usize; 2],
+    /// What the finest level was snapped to.
+    pub snapped: SnapCounts,
     /// What the fit did; `None` without one.
     pub fit: Option<fit::FitReport>,
     /// The independent check of the result.
     pub certificate: Certificate,
     /// Wall time of the stages.
     pub seconds: StageSeconds,
+}
+
+/// What the finest level was snapped to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SnapCounts {
+    /// Bends of arcs.
+    pub bends: usize,
+    /// Pieces of minor creases.
+    pub minor_creases: usize,
 }

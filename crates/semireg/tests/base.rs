@@ -58,15 +58,16 @@ fn check(name: &str, soup: &Soup, base_vertices: usize) {
 /// Points come back through the map. With fewer vertices than the topology needs the map may squeeze a whole handle into a corner of
 /// a base face (measured: areas by 1e12), beyond what any barycentric coordinates can tell apart.
 fn check_map(at: &str, stages: &BaseStages) {
-    let error = stages.base.round_trip_error(&stages.working.mesh, POINTS);
-    let room = stages.base.counts.asked >= stages.base.counts.needed;
+    let base = stages.base.mapped().unwrap_or_else(|| panic!("{at}: no map"));
+    let error = base.round_trip_error(stages.surface.mesh(), POINTS);
+    let room = stages.counts.asked >= stages.counts.needed;
     assert!(error <= 1e-9 || !room, "{at}: a point comes back {error:e} of the diagonal off");
 }
 
 fn check_cells(at: &str, stages: &BaseStages) {
     let Some(patches) = &stages.patches else { panic!("{at}: no patches") };
-    let (mesh, topology) = (&stages.working.mesh, &stages.working.topology);
-    let cells = Cells::trace(mesh, topology, &stages.network, &patches.segmentation).unwrap_or_else(|e| panic!("{at}: {e}"));
+    let topology = stages.surface.topology();
+    let cells = Cells::trace(&stages.surface, &patches.segmentation).unwrap_or_else(|e| panic!("{at}: {e}"));
     // Vertices, edges and faces of the complex: disks only, so it has the Euler number of the surface.
     let euler = cells.corners.len() as i64 - cells.arcs.len() as i64 + cells.patches.len() as i64;
     assert_eq!(euler, topology.euler(), "{at}: Euler number of the cells");
@@ -74,7 +75,7 @@ fn check_cells(at: &str, stages: &BaseStages) {
 
 /// The base mesh is simplicial, manifold, of the topology of the cleaned input, and every arc of the network lies on its edges.
 fn check_topology(at: &str, stages: &BaseStages) {
-    let mesh = &stages.base.mesh;
+    let mesh = stages.base.mesh();
     let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap_or_else(|e| panic!("{at}: {e}"));
     let wanted = &stages.cleaned.topology;
     let facts = |t: &Topology| (t.components().1, t.euler(), t.border_loops().len());
@@ -89,16 +90,16 @@ fn check_topology(at: &str, stages: &BaseStages) {
         all_different(topology.edge_ids().map(|e| topology.ends(e).to_vec()).collect()),
         "{at}: two edges have the same ends"
     );
-    stages.base.region.check(&topology, &stages.network).unwrap_or_else(|e| panic!("{at}: {e}"));
-    let (on_edges, whole) =
-        (stages.base.region.spans.values().map(|s| (s.to - s.from).abs()).sum::<f64>(), stages.network.total_length());
+    let (region, network) = (&stages.base.domain().region, stages.surface.network());
+    region.check(&topology, network).unwrap_or_else(|e| panic!("{at}: {e}"));
+    let (on_edges, whole) = (region.spans.values().map(|s| (s.to - s.from).abs()).sum::<f64>(), network.total_length());
     assert!((on_edges - whole).abs() <= 1e-9 * whole.max(1.0), "{at}: {on_edges} of {whole} arc length lie on base edges");
 }
 
 /// As many vertices as asked, or more with a reason.
 fn check_counts(at: &str, stages: &BaseStages, asked: usize) {
-    let counts = &stages.base.counts;
-    assert_eq!((counts.asked, counts.made), (asked, stages.base.mesh.n_vertices()), "{at}");
+    let counts = &stages.counts;
+    assert_eq!((counts.asked, counts.made), (asked, stages.base.mesh().n_vertices()), "{at}");
     assert!(counts.made <= asked || !counts.reason.is_empty(), "{at}: {} vertices without a reason", counts.made);
     assert!(counts.needed <= counts.made, "{at}: {counts:?}");
 }

@@ -20,13 +20,13 @@ fn check(name: &str, mesh: &TriMesh, base_vertices: usize, levels: u32) -> Remes
     assert_eq!(output.euler(), input.euler(), "{name}");
     assert_eq!(output.components().1, input.components().1, "{name}");
     assert_eq!(output.border_loops().len(), input.border_loops().len(), "{name}");
-    remeshed.stages.region.check(&output, &remeshed.stages.network).unwrap_or_else(|e| panic!("{name}: {e}"));
+    remeshed.stages.region.check(&output, remeshed.stages.surface.network()).unwrap_or_else(|e| panic!("{name}: {e}"));
     remeshed
 }
 
 /// `F = 4^n F0` and `V = 4^n (V0 - X) + X - (4^n - 2^n) B0 / 2`: X Euler number, B0 border edges of the base.
 fn check_counts(name: &str, remeshed: &Remeshed, levels: u32) {
-    let base = &remeshed.stages.base.base.mesh;
+    let base = remeshed.stages.base.base.mesh();
     let topology = Topology::new(base.faces(), base.n_vertices()).unwrap();
     let (four, two) = (4i64.pow(levels), 2i64.pow(levels));
     let border = topology.edge_ids().filter(|&e| topology.is_border_edge(e)).count() as i64;

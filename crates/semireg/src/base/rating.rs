@@ -1,7 +1,7 @@
 //! Which of several base meshes makes the best result.
 
 use crate::{Error, Options};
-use mesh_core::{FaceId, SurfaceIndex, Topology, TriMesh, equilateral_edge_length};
+use mesh_core::{FaceId, SurfaceIndex, TriMesh, equilateral_edge_length};
 use rayon::prelude::*;
 use region_map::{BaseMesh, Surface};
 use relax::Relaxed;
@@ -19,20 +19,19 @@ const SAMPLES: usize = 20_000;
 /// Rates a base mesh by its first subdivision, relaxed: the mean quality (AR) that has, with 0 for triangles that stay folded, less a
 /// cost for its distance from the surface (root mean square, in base edges), less one for vertices beyond those asked. That is a sixteenth
 /// of the triangles of level 3.
-pub(crate) fn rate(surface: &Surface, base: &BaseMesh, relaxed: &Relaxed, asked: usize) -> f64 {
-    let excess = (base.mesh.n_vertices() as f64 / asked.max(1) as f64).ln().max(0.0);
-    let edge_length = equilateral_edge_length(surface.mesh.total_area(), asked);
-    let distance = (distance(surface.mesh, &relaxed.mesh) / edge_length).max(NO_DISTANCE);
+pub(super) fn rate(surface: &Surface, base: &BaseMesh, relaxed: &Relaxed, asked: usize) -> f64 {
+    let excess = (base.mesh().n_vertices() as f64 / asked.max(1) as f64).ln().max(0.0);
+    let edge_length = equilateral_edge_length(surface.mesh().total_area(), asked);
+    let distance = (distance(surface.mesh(), &relaxed.domain.mesh) / edge_length).max(NO_DISTANCE);
     relaxed.report.end.ar_mean - DISTANCE_COST * distance.ln() - EXCESS_COST * excess
 }
 
 /// The first subdivision of a base mesh, relaxed.
-pub(crate) fn relaxed_once(surface: &Surface, base: &BaseMesh, options: &Options) -> Result<Relaxed, Error> {
-    let domain = subdiv::subdivide(&base.mesh, &base.region, 1)?;
-    let origins = Some(project::Origins { base, points: &domain.origins });
-    let projected = project::project(surface, &domain.mesh, &domain.region, origins, &options.project)?;
-    let topology = Topology::new(projected.mesh.faces(), projected.mesh.n_vertices())?;
-    Ok(relax::relax(surface, &projected.mesh, &topology, &projected.region, &options.relax)?)
+pub(super) fn relaxed_once(surface: &Surface, base: &BaseMesh, options: &Options) -> Result<Relaxed, Error> {
+    let subdivided = subdiv::subdivide(&base.domain, 1)?;
+    let origins = Some(project::Origins { base, points: &subdivided.origins });
+    let projected = project::project(surface, &subdivided.domain, origins, &options.project)?;
+    Ok(relax::relax(surface, &projected.domain, &options.relax)?)
 }
 
 /// The root mean square of the distances from a surface to a mesh, at the middles of its faces.

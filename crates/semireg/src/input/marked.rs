@@ -1,17 +1,17 @@
 //! Edges that the user marked, found in the cleaned mesh.
 
-use crate::{Error, Options};
+use crate::Error;
 use glam::DVec3;
 use mesh_core::{Cleaned, VertexId};
 
 /// A marked end is a vertex this close to it, as a share of the diagonal: files round their coordinates.
 const SAME_PLACE: f64 = 1e-6;
 
-/// The options with all marked edges as vertices of the cleaned mesh.
-pub(crate) fn with_marked_edges(cleaned: &Cleaned, options: &Options) -> Result<Options, Error> {
-    let mut options = options.clone();
+/// The marked edges, given by the positions of their ends, as vertices of the cleaned mesh.
+pub(crate) fn marked_edges(cleaned: &Cleaned, positions: &[[DVec3; 2]]) -> Result<Vec<[VertexId; 2]>, Error> {
     let places = Places::new(cleaned);
-    for (index, &[a, b]) in options.marked_edges.iter().enumerate() {
+    let mut marked = Vec::new();
+    for (index, &[a, b]) in positions.iter().enumerate() {
         let [from, to] = [a, b].map(|p| places.vertices_at(p));
         // Cleaning leaves several vertices at a place where surfaces touch; an edge may join any two of them.
         let pairs = from.iter().flat_map(|&v| to.iter().map(move |&w| [v, w]));
@@ -19,9 +19,9 @@ pub(crate) fn with_marked_edges(cleaned: &Cleaned, options: &Options) -> Result<
         if edges.is_empty() {
             return Err(Error::MarkedEdge { number: index + 1, from: a.to_array(), to: b.to_array() });
         }
-        options.features.marked.extend(edges);
+        marked.extend(edges);
     }
-    Ok(options)
+    Ok(marked)
 }
 
 /// Vertices by place.
@@ -56,11 +56,8 @@ mod tests {
         let cleaned = clean(&fixtures::cube(2).to_soup(), &CleanOptions::default()).unwrap();
         let mesh = &cleaned.mesh;
         let [v, w, _] = mesh.face(mesh_core::FaceId(0));
-        let marked = |shift: DVec3| {
-            let marked_edges = vec![[mesh.position(v), mesh.position(w) + shift]];
-            with_marked_edges(&cleaned, &Options { marked_edges, ..Options::default() })
-        };
-        assert_eq!(marked(DVec3::splat(1e-8)).unwrap().features.marked, [[v, w]]);
+        let marked = |shift: DVec3| marked_edges(&cleaned, &[[mesh.position(v), mesh.position(w) + shift]]);
+        assert_eq!(marked(DVec3::splat(1e-8)).unwrap(), [[v, w]]);
         assert!(matches!(marked(DVec3::splat(0.1)), Err(Error::MarkedEdge { number: 1, .. })));
     }
 }

@@ -1,9 +1,8 @@
 //! Better connectivity for the base mesh, by what it can be relaxed to.
 
-use crate::rating::{rate, relaxed_once};
+use super::rating::{rate, relaxed_once};
 use crate::{Error, Options};
 use basemesh::Replay;
-use mesh_core::Topology;
 use region_map::{BaseMesh, Sizing, Surface};
 use relax::Relaxed;
 
@@ -11,10 +10,10 @@ use relax::Relaxed;
 const MOST_FACES: usize = 6_000;
 
 /// The base mesh after edits that lower the energy of its relaxed first subdivision, if that is rated higher, and its rating.
-pub(crate) fn searched(surface: &Surface, sizing: &Sizing, base: BaseMesh, asked: usize, options: &Options) -> (f64, BaseMesh) {
+pub(super) fn searched(surface: &Surface, sizing: &Sizing, base: BaseMesh, asked: usize, options: &Options) -> (f64, BaseMesh) {
     let Ok(relaxed) = relaxed_once(surface, &base, options) else { return (f64::NEG_INFINITY, base) };
     let rating = rate(surface, &base, &relaxed, asked);
-    if base.mesh.n_faces() > MOST_FACES {
+    if base.mesh().n_faces() > MOST_FACES {
         return (rating, base);
     }
     // Where the search fails there still is the base mesh.
@@ -26,9 +25,8 @@ pub(crate) fn searched(surface: &Surface, sizing: &Sizing, base: BaseMesh, asked
 
 /// The base mesh after the edits that were found, with a map of its own; `None` where none was.
 fn search(surface: &Surface, sizing: &Sizing, base: &BaseMesh, relaxed: &Relaxed) -> Result<Option<BaseMesh>, Error> {
-    let topology = Topology::new(relaxed.mesh.faces(), relaxed.mesh.n_vertices())?;
     let mut replay = Replay::new(surface, base.clone())?;
-    let found = relax::reconnect(surface, sizing, &topology, &relaxed.map, &Default::default(), |edit| replay.edit(edit))?;
+    let found = relax::reconnect(surface, &relaxed.domain, sizing, &Default::default(), |edit| replay.edit(edit))?;
     if found.edits.is_empty() {
         return Ok(None);
     }

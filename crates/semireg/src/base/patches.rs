@@ -1,6 +1,7 @@
 //! The paper's way to a base mesh: patches, their sites, and these triangulated in charts.
 
-use crate::{Error, StageSeconds};
+use crate::Error;
+use crate::run::Run;
 use basemesh::{BaseError, BaseOptions};
 use mesh_core::equilateral_edge_length;
 use region_map::{BaseMesh, Cells, Segmentation, Sites, Sizing, Surface};
@@ -19,9 +20,9 @@ pub struct Patches {
     /// The base mesh of the sites, improved.
     pub base: BaseMesh,
     /// Vertices that the corners and arcs need.
-    pub(crate) needed: usize,
+    pub(super) needed: usize,
     /// Patches that were split, as they could not be laid flat.
-    pub(crate) n_split: usize,
+    pub(super) n_split: usize,
 }
 
 /// The first base mesh has so many sites for each vertex wanted: it is coarsened in its map.
@@ -32,37 +33,37 @@ const SITES_A_PATCH: usize = 16;
 const SPLITTING_ROUNDS: usize = 4;
 
 /// Patches, their sites, and the base mesh of these (paper, sections 3.1 and 3.2).
-pub(crate) fn patches(
+pub(super) fn patches(
     surface: &Surface,
     sizing: &Sizing,
     wanted: usize,
     seed: u64,
-    seconds: &mut StageSeconds,
+    run: &mut Run,
 ) -> Result<Patches, Error> {
-    let &Surface { mesh, topology, network, .. } = surface;
+    let mesh = surface.mesh();
     let n_sites = (wanted as f64 * SITES).round() as usize;
     let base_edge_length = equilateral_edge_length(mesh.total_area(), wanted);
     let vsa = VsaOptions { max_patches: (n_sites / SITES_A_PATCH).max(6), base_edge_length, ..Default::default() };
-    let (mut segmentation, _) = seconds.time("segment", || segment_vsa::segment(mesh, topology, network, &vsa))?;
+    let (mut segmentation, _) = run.stage("segment", || segment_vsa::segment(surface, &vsa))?;
     let (mut n_split, mut rounds) = (0, 0);
     loop {
-        let cells = Cells::trace(mesh, topology, network, &segmentation)?;
+        let cells = Cells::trace(surface, &segmentation)?;
         let cvt = CvtOptions { base_vertices: n_sites, seed, ..Default::default() };
-        let sampled = seconds.time("sample", || segment_cvt::sample(mesh, &cells, &Sizing::uniform(mesh), &cvt))?;
+        let sampled = run.stage("sample", || segment_cvt::sample(surface, &cells, &Sizing::uniform(mesh), &cvt))?;
         let max_shrunk = if rounds < SPLITTING_ROUNDS { BaseOptions::default().max_shrunk } else { 1.0 };
         let base_options = BaseOptions { base_vertices: wanted, max_shrunk, ..Default::default() };
         rounds += 1;
-        match seconds.time("base", || basemesh::build(surface, &cells, &sampled.sites, sizing, &base_options)) {
+        match run.stage("base", || basemesh::build(surface, &cells, &sampled.sites, sizing, &base_options)) {
             Ok(base) => {
                 let needed = sampled.budget.needed;
                 return Ok(Patches { segmentation, cells, sites: sampled.sites, base, needed, n_split });
             }
             // Patches that can't be laid flat are cut in two; one face always can.
-            Err(BaseError::Uncharted(patches)) if patches.iter().any(|&p| cells.patches[p].faces.len() > 1) => {
+            Err(Error::Base(BaseError::Uncharted(patches))) if patches.iter().any(|&p| cells.patches[p].faces.len() > 1) => {
                 n_split += patches.len();
-                segmentation = segment_vsa::split(mesh, topology, network, &segmentation, &patches);
+                segmentation = segment_vsa::split(surface, &segmentation, &patches)?;
             }
-            Err(e) => return Err(e.into()),
+            Err(e) => return Err(e),
         }
     }
 }

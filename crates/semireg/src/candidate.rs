@@ -1,0 +1,43 @@
+//! [`Candidate`]: what is tried, judged and mended.
+
+use crate::base::{Base, BaseCounts};
+use crate::report::SnapCounts;
+use crate::verdict::Verdict;
+use certify::Faults;
+use region_map::Surface;
+use relax::Relaxed;
+use std::sync::Arc;
+
+/// A base mesh with its finest level, and what the certificate would refuse of that.
+#[derive(Clone)]
+pub(crate) struct Candidate {
+    /// The base mesh.
+    pub(crate) base: Arc<Base>,
+    /// Its vertices: asked, needed and made.
+    pub(crate) counts: BaseCounts,
+    /// The surface with the network that the finest level hangs on.
+    pub(crate) surface: Surface,
+    /// The finest level, relaxed.
+    pub(crate) relaxed: Relaxed,
+    /// Its triangles that the certificate would refuse.
+    pub(crate) faults: Faults,
+    /// What the finest level was snapped to.
+    pub(crate) snapped: SnapCounts,
+}
+
+impl Candidate {
+    /// How many triangles the certificate would refuse.
+    pub(crate) fn n_faults(&self) -> usize {
+        self.faults.faces().len()
+    }
+
+    /// Triangles of the finest level.
+    pub(crate) fn n_triangles(&self) -> usize {
+        self.relaxed.domain.mesh.n_faces()
+    }
+
+    /// What it comes to before it is certified.
+    pub(crate) fn verdict(&self) -> Verdict {
+        Verdict::Faulty { faults: self.n_faults(), triangles: self.n_triangles() }
+    }
+}

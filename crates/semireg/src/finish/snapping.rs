@@ -1,0 +1,86 @@
+//! The relaxed domain hung on bends and minor creases, as far as its triangles bear it.
+
+use crate::Error;
+use crate::attempt::Remedy;
+use crate::candidate::Candidate;
+use crate::report::SnapCounts;
+use crate::run::Run;
+use certify::{Reference, faulty_faces};
+use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
+use snap::{LetGo, SnapOptions, Snapped};
+use std::time::Instant;
+
+/// Newton steps after snapping: it moves few vertices, and from a relaxed start.
+const STEPS: usize = 4;
+const UNTANGLING_STEPS: usize = 8;
+/// So often the domain is snapped, each time without what came out poor before. A few poor triangles of the last time are borne: they are
+/// not worth all creases.
+const ROUNDS: usize = 4;
+
+/// Snaps a candidate to bends and minor creases and relaxes it again. It comes back as it was where there are none, where the certificate
+/// would refuse more triangles than before, or where snapping fails; the last two with a warning.
+pub(super) fn snapped(
+    input: &Reference,
+    before: Candidate,
+    options: &RelaxOptions,
+    run: &mut Run,
+    warnings: &mut Vec<String>,
+) -> Candidate {
+    let left = match rounds(input, &before, options, run) {
+        Ok(Some(snapped)) if snapped.n_faults() <= before.n_faults() => return snapped,
+        Ok(None) => return before,
+        Ok(Some(_)) => "some triangles did not bear them".to_string(),
+        Err(e) => e.to_string(),
+    };
+    warnings.push(format!("bends and minor creases were left as they came out: {left}"));
+    before
+}
+
+/// The candidate snapped, as far as it bears it; `None` where there is nothing to snap to.
+fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
+    let few_steps = RelaxOptions {
+        quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
+        shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
+    };
+    let snap_options = SnapOptions::default();
+    let (mut let_go, mut round) = (LetGo::default(), 1);
+    loop {
+        let begun = Instant::now();
+        let start = &before.relaxed.domain;
+        let snapped = snap::snap(&before.surface, start, &let_go, &snap_options)?;
+        if snapped.is_unchanged() {
+            return Ok(None);
+        }
+        let now = relaxed_again(input, before, &snapped, &few_steps)?;
+        run.record(if round == 1 { Remedy::Snap } else { Remedy::LetGoCreases }, None, now.verdict(), begun);
+        let refused = if now.n_faults() > before.n_faults() { now.faults.faces() } else { Vec::new() };
+        let poor = snapped.poor([&start.mesh, &now.relaxed.domain.mesh], &refused, &snap_options)?;
+        if poor == LetGo::default() || round == ROUNDS {
+            return Ok(Some(now));
+        }
+        let_go.bends.extend(poor.bends);
+        let_go.minor.extend(poor.minor);
+        round += 1;
+    }
+}
+
+/// A snapped domain, relaxed and judged.
+fn relaxed_again(
+    input: &Reference,
+    before: &Candidate,
+    snapped: &Snapped,
+    options: &RelaxOptions,
+) -> Result<Candidate, Error> {
+    let relaxed = relax::relax(&snapped.surface, &snapped.domain, options)?;
+    let RelaxReport { end, shape_steps, .. } = relaxed.report;
+    let first = before.relaxed.report;
+    let report = RelaxReport { end, shape_steps: first.shape_steps + shape_steps, ..first };
+    let faults = faulty_faces(input, &relaxed.domain.mesh);
+    Ok(Candidate {
+        surface: snapped.surface.clone(),
+        relaxed: Relaxed { report, ..relaxed },
+        faults,
+        snapped: SnapCounts { bends: snapped.bends.len(), minor_creases: snapped.tracks.len() },
+        ..before.clone()
+    })
+}

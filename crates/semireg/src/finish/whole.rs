@@ -1,0 +1,45 @@
+//! All stages after the base mesh, straight through.
+
+use super::fitting::{Certified, certified};
+use super::place::{Placed, placed};
+use super::snapping::snapped;
+use crate::base::{BaseStages, Way};
+use crate::input::Input;
+use crate::remeshed::{Remeshed, Stages};
+use crate::report::Report;
+use crate::rescue::{Hope, mended};
+use crate::run::{Run, StageSeconds};
+use crate::{Error, Options};
+
+/// Makes the finest level of a base mesh. Nothing is returned that the certificate refuses.
+pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
+    let Placed { subdivided, projected, project, candidate } = placed(input, stages, options, run)?;
+    let candidate = match stages.way {
+        // A base mesh from elsewhere stays as it is.
+        Way::Given => candidate,
+        _ => mended(&input.reference, candidate, options, run)?,
+    };
+    Hope::BeforeSnapping.of(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
+    let mut warnings = stages.warnings.clone();
+    let candidate = snapped(&input.reference, candidate, &options.relax, run, &mut warnings);
+    Hope::BeforeFitting.of(candidate.faults.flipped.len(), candidate.n_triangles())?;
+    let Certified { domain, offsets, fit, certificate } = certified(&input.reference, &candidate, options, run, &mut warnings)?;
+    let report = Report {
+        clean: input.cleaned.report.clone(),
+        base: candidate.counts.clone(),
+        way: stages.way,
+        cells: stages.cell_counts(),
+        crease_lengths: stages.crease_lengths(),
+        attempts: Vec::new(),
+        warnings,
+        project,
+        relax: candidate.relaxed.report,
+        snapped: candidate.snapped,
+        fit,
+        certificate,
+        seconds: StageSeconds::default(),
+    };
+    let base = BaseStages { base: candidate.base, counts: candidate.counts, ..stages.clone() };
+    let stages = Stages { base, subdivided, projected, surface: candidate.surface, region: domain.region, offsets };
+    Ok(Remeshed { mesh: domain.mesh, report, stages })
+}

@@ -1,0 +1,8 @@
+//! What all attempts run on: the input cleaned and refined, made once.
+
+mod given;
+mod marked;
+mod prepare;
+
+pub(crate) use given::GivenBase;
+pub(crate) use prepare::Input;

@@ -1,0 +1,10 @@
+//! What is tried where a result is not right at once: the plan, its budget, and what mends single places.
+
+mod budget;
+mod places;
+mod plan;
+
+pub(crate) use budget::{Budget, Hope};
+pub use budget::MAX_TRIANGLES;
+pub(crate) use places::mended;
+pub(crate) use plan::{Loss, PLAN};

@@ -1,0 +1,100 @@
+//! What a try came to: one total order, from the worst to the best.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+/// What a try came to. Verdicts are ordered: the better one is the greater.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// There is no mesh to judge.
+    Failed {
+        /// Why.
+        reason: String,
+    },
+    /// A mesh with triangles that the certificate refuses: they face against the input, or have no area.
+    Faulty {
+        /// How many.
+        faults: usize,
+        /// Of how many.
+        triangles: usize,
+    },
+    /// Certified, but a part of the input is lost.
+    Lost {
+        /// How far the mesh misses the input somewhere, in edge lengths of the base mesh that was asked for.
+        base_edges: f64,
+    },
+    /// Certified, and all of the input is there.
+    Certified,
+}
+
+impl Verdict {
+    /// Whether there is a certified mesh.
+    pub fn is_certified(&self) -> bool {
+        matches!(self, Self::Certified | Self::Lost { .. })
+    }
+
+    /// The kind, and within the kind how bad.
+    fn rank(&self) -> (u8, f64) {
+        match *self {
+            Self::Failed { .. } => (0, 0.0),
+            Self::Faulty { faults, triangles } => (1, faults as f64 / triangles.max(1) as f64),
+            Self::Lost { base_edges } => (2, base_edges),
+            Self::Certified => (3, 0.0),
+        }
+    }
+}
+
+impl Ord for Verdict {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ((kind, badness), (other_kind, other_badness)) = (self.rank(), other.rank());
+        kind.cmp(&other_kind).then(other_badness.total_cmp(&badness))
+    }
+}
+
+impl PartialOrd for Verdict {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Verdict {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Verdict {}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Failed { reason } => write!(f, "failed: {reason}"),
+            Self::Faulty { faults, triangles } => write!(f, "{faults} of {triangles} triangles are folded or have no area"),
+            Self::Lost { base_edges } => write!(f, "certified, but it misses the input by {base_edges:.2} base edges somewhere"),
+            Self::Certified => write!(f, "certified"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fewer_faults_and_smaller_losses_are_never_worse() {
+        let order = [
+            Verdict::Failed { reason: "no base mesh".into() },
+            Verdict::Faulty { faults: 300, triangles: 100_000 },
+            Verdict::Faulty { faults: 1, triangles: 100_000 },
+            Verdict::Lost { base_edges: 0.5 },
+            Verdict::Lost { base_edges: 0.3 },
+            Verdict::Certified,
+        ];
+        for (i, worse) in order.iter().enumerate() {
+            for (j, other) in order.iter().enumerate() {
+                assert_eq!(worse.cmp(other), i.cmp(&j), "{worse} and {other}");
+            }
+        }
+        assert_eq!(order.iter().filter(|v| v.is_certified()).count(), 3);
+    }
+}
