@@ -30,6 +30,9 @@ pub enum Error {
     /// Refining broke the mesh.
     #[error(transparent)]
     Refine(#[from] refine::RefineError),
+    /// The network is of another mesh: a bug of ours.
+    #[error("internal error in the working mesh: {0}; please report this with the input file")]
+    Network(#[from] region_map::NetworkError),
     /// The refined mesh is no surface: a bug of ours.
     #[error("internal error in the working mesh: {0}; please report this with the input file")]
     Surface(#[from] region_map::SurfaceError),
