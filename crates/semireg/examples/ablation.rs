@@ -50,8 +50,7 @@ impl<'a> Study<'a> {
     /// Section 4.2 and Fig. 5. Returns our own placement.
     fn placements(&self) -> Result<Projected, Box<dyn Error>> {
         let base = self.stages.base.base.mapped().ok_or("the base mesh has no map")?;
-        let place =
-            |origins, ray_reach| project(self.surface, &self.subdivided.domain, origins, &ProjectOptions { ray_reach });
+        let place = |origins, ray_reach| project(self.surface, &self.subdivided.domain, origins, &ProjectOptions { ray_reach });
         let ray_reach = ProjectOptions::default().ray_reach;
         let origins = Some(Origins { base, points: &self.subdivided.origins });
         self.row("placement", "plain normal displacement", &self.plain_displacement()?)?;
@@ -87,12 +86,7 @@ impl<'a> Study<'a> {
             ("uniform weights, without the plane term", QuadricOptions { plane_weight: 0.0, ..iterated.clone() }),
             ("adaptive weights, with the plane term", QuadricOptions { weights: Weights::Adaptive, ..iterated }),
         ] {
-            self.relaxed_row(
-                "quadric relaxation",
-                name,
-                start,
-                &RelaxOptions { quadric, shape: no_shape() },
-            )?;
+            self.relaxed_row("quadric relaxation", name, start, &RelaxOptions { quadric, shape: no_shape() })?;
         }
         Ok(())
     }

@@ -60,10 +60,7 @@ pub enum EdgeChoice {
 impl Remedy {
     /// Whether it begins anew with another base mesh; all others go on with the one that there is.
     pub fn makes_a_base(self) -> bool {
-        matches!(
-            self,
-            Self::AsAsked | Self::OtherBase | Self::MoreVertices(_) | Self::MoreCreases | Self::FewerCreases(_)
-        )
+        matches!(self, Self::AsAsked | Self::OtherBase | Self::MoreVertices(_) | Self::MoreCreases | Self::FewerCreases(_))
     }
 }
 

@@ -72,9 +72,9 @@ pub enum Error {
     /// Projection failed.
     #[error(transparent)]
     Project(#[from] project::ProjectError),
-    /// The finest level could not be carried over to a bisected base mesh: a bug of ours.
-    #[error("internal error in the bisection of the base mesh: {0}; please report this with the input file")]
-    Carry(#[from] subdiv::CarryError),
+    /// The search for better connectivity failed.
+    #[error(transparent)]
+    Reconnect(#[from] reconnect::ReconnectError),
     /// The result could not be measured.
     #[error(transparent)]
     Measure(#[from] certify::MeasureError),

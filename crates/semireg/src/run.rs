@@ -1,10 +1,10 @@
 //! A run under way: how long its stages take, and what was tried.
 
+use crate::Error;
 use crate::attempt::{Attempt, Remedy};
 use crate::base::Way;
-use crate::verdict::Verdict;
-use crate::Error;
 use crate::progress::{Progress, Watch};
+use crate::verdict::Verdict;
 use mesh_core::Interrupt;
 use std::time::Instant;
 
@@ -113,7 +113,8 @@ mod tests {
     #[test]
     fn stages_side_by_side_share_the_time_that_both_took() {
         let mut run = Run::new(Watch::default());
-        let wait = |stage| move |run: &mut Run| run.stage(stage, || Ok::<_, Error>(std::thread::sleep(Duration::from_millis(30))));
+        let wait =
+            |stage| move |run: &mut Run| run.stage(stage, || Ok::<_, Error>(std::thread::sleep(Duration::from_millis(30))));
         let start = Instant::now();
         let (a, b) = run.side_by_side(wait("one"), wait("two"));
         a.and(b).unwrap();

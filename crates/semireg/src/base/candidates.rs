@@ -6,8 +6,8 @@ use super::patches::{Patches, patches};
 use super::search::searched;
 use super::setting::Setting;
 use super::stages::{Base, BaseCounts, BaseStages, Way};
-use crate::run::Run;
 use crate::input::Input;
+use crate::run::Run;
 use crate::{Error, Options};
 use mesh_core::equilateral_edge_length;
 use region_map::{BaseMesh, Sizing, Surface};
@@ -117,8 +117,7 @@ impl Ways<'_> {
     fn rated(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
         // The history of edits distorts the map; where edges cannot be traced it still is one.
-        let retraced = run.stage("retrace", || trace_base::retrace(self.surface, &base));
-        let base = retraced.unwrap_or(base);
+        let base = run.stage("retrace", || Ok::<_, Error>(trace_base::retrace(self.surface, &base).unwrap_or(base)))?;
         let search = || Ok::<_, Error>(searched(self.surface, self.sizing, base, self.input.asked, self.options));
         let (rating, base) = run.stage("search", search)?;
         Ok(Rated { rating, way, base })

@@ -1,8 +1,8 @@
 //! A base mesh from elsewhere in the place of our own.
 
 use super::stages::{Base, BaseCounts, BaseStages, Way};
-use crate::run::Run;
 use crate::input::{GivenBase, Input};
+use crate::run::Run;
 use crate::{Error, Options};
 use basemesh::Mended;
 use mesh_core::equilateral_edge_length;

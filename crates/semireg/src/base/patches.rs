@@ -33,13 +33,7 @@ const SITES_A_PATCH: usize = 16;
 const SPLITTING_ROUNDS: usize = 4;
 
 /// Patches, their sites, and the base mesh of these (paper, sections 3.1 and 3.2).
-pub(super) fn patches(
-    surface: &Surface,
-    sizing: &Sizing,
-    wanted: usize,
-    seed: u64,
-    run: &mut Run,
-) -> Result<Patches, Error> {
+pub(super) fn patches(surface: &Surface, sizing: &Sizing, wanted: usize, seed: u64, run: &mut Run) -> Result<Patches, Error> {
     let mesh = surface.mesh();
     let n_sites = (wanted as f64 * SITES).round() as usize;
     let base_edge_length = equilateral_edge_length(mesh.total_area(), wanted);

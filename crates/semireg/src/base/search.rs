@@ -26,7 +26,7 @@ pub(super) fn searched(surface: &Surface, sizing: &Sizing, base: BaseMesh, asked
 /// The base mesh after the edits that were found, with a map of its own; `None` where none was.
 fn search(surface: &Surface, sizing: &Sizing, base: &BaseMesh, relaxed: &Relaxed) -> Result<Option<BaseMesh>, Error> {
     let mut replay = Replay::new(surface, base.clone())?;
-    let found = relax::reconnect(surface, &relaxed.domain, sizing, &Default::default(), |edit| replay.edit(edit))?;
+    let found = reconnect::reconnect(surface, &relaxed.domain, sizing, &Default::default(), |edit| replay.edit(edit))?;
     if found.edits.is_empty() {
         return Ok(None);
     }

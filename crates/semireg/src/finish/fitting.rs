@@ -38,8 +38,7 @@ pub(super) fn certified(
     for number in 0..tries {
         let Some(fit_options) = &options.fit else { break };
         let begun = Instant::now();
-        let fitted =
-            run.stage("fit", || fit::fit_holding(&candidate.surface, &candidate.relaxed.domain, &held, fit_options))?;
+        let fitted = run.stage("fit", || fit::fit_holding(&candidate.surface, &candidate.relaxed.domain, &held, fit_options))?;
         let Fitted { domain, offsets, report } = fitted;
         let certificate = certificate(input, &domain.mesh, options, run)?;
         let Some(failure) = certificate.failures().first().filter(|_| report.used) else {

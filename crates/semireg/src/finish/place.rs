@@ -45,10 +45,5 @@ pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run:
         faults,
         snapped: SnapCounts::default(),
     };
-    Ok(Placed {
-        subdivided: subdivided.domain.mesh,
-        projected: projected.domain.mesh,
-        project: projected.report,
-        candidate,
-    })
+    Ok(Placed { subdivided: subdivided.domain.mesh, projected: projected.domain.mesh, project: projected.report, candidate })
 }

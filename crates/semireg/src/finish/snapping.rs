@@ -65,12 +65,7 @@ fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &m
 }
 
 /// A snapped domain, relaxed and judged.
-fn relaxed_again(
-    input: &Reference,
-    before: &Candidate,
-    snapped: &Snapped,
-    options: &RelaxOptions,
-) -> Result<Candidate, Error> {
+fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &RelaxOptions) -> Result<Candidate, Error> {
     let relaxed = relax::relax(&snapped.surface, &snapped.domain, options)?;
     let RelaxReport { end, shape_steps, .. } = relaxed.report;
     let first = before.relaxed.report;

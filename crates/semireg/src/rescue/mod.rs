@@ -4,7 +4,7 @@ mod budget;
 mod places;
 mod plan;
 
-pub(crate) use budget::{Budget, Hope};
 pub use budget::MAX_TRIANGLES;
+pub(crate) use budget::{Budget, Hope};
 pub(crate) use places::mended;
 pub(crate) use plan::{Loss, PLAN};
