@@ -1,40 +1,42 @@
-//! A base mesh of a torus, and its map both ways: `cargo run -p basemesh --example base -- [BASE_VERTICES]`
+//! A base mesh of a torus by both ways, and its map there and back: `cargo run -p basemesh --example base -- [BASE_VERTICES]`
 
-use basemesh::{BaseOptions, build};
+use basemesh::{BaseOptions, build, decimate};
 use glam::DVec3;
-use mesh_core::{Topology, aspect_ratio};
-use region_map::{Cells, SheetNormals, Sizing, Surface};
+use mesh_core::aspect_ratio;
+use region_map::{BaseMesh, Cells, Sizing, Surface};
 use segment_cvt::{CvtOptions, sample};
 use segment_vsa::{VsaOptions, segment};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let base_vertices = std::env::args().nth(1).map_or(Ok(100), |a| a.parse())?;
-    let mesh = fixtures::torus(1.0, 0.4, 48, 24);
-    let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    let network = features::detect(&mesh, &topology, &Default::default())?;
-    let normals = SheetNormals::new(&mesh, &topology, &network);
-    let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
-    let vsa = VsaOptions { max_patches: 12, ..Default::default() };
-    let (segmentation, _) = segment(&mesh, &topology, &network, &vsa)?;
-    let cells = Cells::trace(&mesh, &topology, &network, &segmentation)?;
-    let wanted = CvtOptions { base_vertices, ..Default::default() };
-    let sites = sample(&mesh, &cells, &Sizing::uniform(&mesh), &wanted)?.sites;
+    let surface = Surface::smooth(fixtures::torus(1.0, 0.4, 48, 24))?;
+    let sizing = Sizing::uniform(surface.mesh());
 
-    // The triangulation of the sites, and what the improvement makes of it. Any chart will do here: no patch is split.
-    for rounds in [0, 10] {
-        let options = BaseOptions { base_vertices, rounds, max_shrunk: 1.0 };
-        let base = build(&surface, &cells, &sites, &Sizing::uniform(&mesh), &options)?;
-        let quality: f64 = base.mesh.faces().ids().map(|f| aspect_ratio(base.mesh.triangle(f))).sum();
-        println!("{rounds} rounds: {} vertices, {} faces", base.mesh.n_vertices(), base.mesh.n_faces());
-        println!("  mean quality {:.3}, {} edits of the map", quality / base.mesh.n_faces() as f64, base.map.n_edits());
-        let middle = DVec3::splat(1.0 / 3.0);
-        let error = |f| {
-            let point = base.locate(f, middle);
-            let back = base.map.find(point).map(|(face, w)| base.map.locate(face, w));
-            back.map_or(f64::INFINITY, |back| back.position(&mesh).distance(point.position(&mesh)))
-        };
-        println!("  there and back: {:.1e}", base.mesh.faces().ids().map(error).fold(0.0, f64::max));
-    }
+    // Patches, sites in them, and their triangulation, as it is and improved. Any chart will do here: no patch is split.
+    let (segmentation, _) = segment(&surface, &VsaOptions { max_patches: 12, ..Default::default() })?;
+    let cells = Cells::trace(&surface, &segmentation)?;
+    let sites = sample(&surface, &cells, &sizing, &CvtOptions { base_vertices, ..Default::default() })?.sites;
+    let options = BaseOptions { base_vertices, max_shrunk: 1.0, ..Default::default() };
+    let raw = build(&surface, &cells, &sites, &sizing, &BaseOptions { rounds: 0, ..options.clone() })?;
+    show("patches, as triangulated", &surface, &raw);
+    show("patches, improved", &surface, &build(&surface, &cells, &sites, &sizing, &options)?);
+
+    // The torus itself, coarsened.
+    show("decimation", &surface, &decimate(&surface, &sizing, &options)?);
     Ok(())
+}
+
+fn show(way: &str, surface: &Surface, base: &BaseMesh) {
+    let mesh = base.mesh();
+    let quality: f64 = mesh.faces().ids().map(|f| aspect_ratio(mesh.triangle(f))).sum();
+    println!("{way}: {} vertices, {} faces", mesh.n_vertices(), mesh.n_faces());
+    println!("  mean quality {:.3}, {} edits of the map", quality / mesh.n_faces() as f64, base.map.n_edits());
+    let error = |f| {
+        let point = base.locate(f, DVec3::splat(1.0 / 3.0));
+        let back = base.map.find(point).map(|(face, w)| base.map.locate(face, w));
+        let [there, back] = [Some(point), back].map(|p| p.map_or(DVec3::INFINITY, |p| p.position(surface.mesh())));
+        back.distance(there)
+    };
+    println!("  there and back: {:.1e}", mesh.faces().ids().map(error).fold(0.0, f64::max));
 }

@@ -3,12 +3,11 @@
 use crate::arguments::check_wishes;
 use crate::improve::improved;
 use crate::{BaseError, BaseOptions};
-use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, Id as _, IdVec};
-use rayon::prelude::*;
-use region_map::{BaseMap, BaseMesh, Chart, ChartFace, ChartId, Domain, MapError, MapFaceId, Sizing, Surface};
+use glam::DVec2;
+use mesh_core::{FaceId, Id as _};
+use region_map::{BaseMap, BaseMesh, Chart, ChartId, Domain, MapError, MapFaceId, Sizing, Surface};
 
-/// Where the corners of a working face are in its chart. Its shape does not matter: the map is affine there.
+/// The corners of a base face that is a working face, in its chart.
 const CORNERS: [DVec2; 3] = [DVec2::ZERO, DVec2::X, DVec2::Y];
 
 /// Coarsens the working mesh to a base mesh (after Lee et al., *MAPS*, 1998), by the edits that improve any other.
@@ -22,13 +21,9 @@ pub fn decimate(surface: &Surface, sizing: &Sizing, options: &BaseOptions) -> Re
 
 /// The working mesh as its own base mesh: a chart for every face.
 fn identity(surface: &Surface) -> Result<BaseMesh, MapError> {
-    let chart = |f: usize| {
-        let barycentric = [DVec3::X, DVec3::Y, DVec3::Z];
-        Chart::new(CORNERS.to_vec(), vec![ChartFace { vertices: [0, 1, 2], source: FaceId::new(f), barycentric }])
-    };
     let n = surface.mesh().n_faces();
-    let charts = (0..n).into_par_iter().map(chart).collect::<Result<Vec<Chart>, MapError>>()?;
+    let charts = (0..n).map(|f| Chart::of_face(FaceId::new(f))).collect();
     let first: Vec<_> = (0..n).map(|f| (ChartId::new(f), CORNERS)).collect();
-    let map = BaseMap::new(IdVec::from_vec(charts), &first);
+    let map = BaseMap::new(charts, &first)?;
     Ok(BaseMesh { domain: Domain::identity(surface), map, map_faces: (0..n).map(MapFaceId::new).collect() })
 }

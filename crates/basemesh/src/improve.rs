@@ -5,14 +5,20 @@
 //! mesh (rows of vertices along smooth arcs, thin patches without an inner vertex) is gone after a few rounds. Then single splits and
 //! collapses meet the wanted number of vertices.
 
+mod flips;
+mod shape;
+mod straight_corners;
+
 use crate::editor::{Editor, Filling, Hole, Removal};
-use crate::flips::{flip_edges, settle};
-use crate::mend::mend_ears;
-use crate::shape::is_folded;
 use crate::{BaseError, BaseOptions};
+use flips::{flip_edges, settle};
 use mesh_core::{VertexId, equilateral_edge_length};
 use region_map::{BaseMesh, Sizing, Surface};
+#[cfg(test)]
+pub(crate) use shape::has_straight_corner;
+pub(crate) use shape::is_folded;
 use std::ops::Range;
+pub(crate) use straight_corners::open_straight_corners;
 
 /// Edges longer than this many wanted lengths are split, shorter than [`SHORT`] collapsed (Botsch and Kobbelt's figures: then
 /// neither makes work for the other).
@@ -94,10 +100,10 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
     if let Some((_, best)) = best {
         *editor = best;
     }
-    mend_ears(editor);
+    open_straight_corners(editor);
     flip_edges(editor);
     meet_count(editor, sizing, options.base_vertices);
-    mend_ears(editor);
+    open_straight_corners(editor);
     flip_edges(editor);
 }
 

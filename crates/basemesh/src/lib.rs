@@ -23,33 +23,18 @@
 //! ```
 
 mod arguments;
-mod assemble;
-mod bisect;
 mod build;
-mod chart;
 mod decimate;
+mod edit;
 mod editor;
 mod error;
-mod flips;
 mod improve;
-mod layout;
-mod mend;
-mod patch_cdt;
-mod piece_mesh;
-mod polygon;
-mod replay;
-mod shape;
-#[cfg(test)]
-mod shapes;
-mod star;
+mod options;
 #[cfg(test)]
 mod tests;
-mod tutte;
 
-pub use bisect::bisect;
-pub use build::{BaseOptions, build};
+pub use build::build;
 pub use decimate::decimate;
+pub use edit::{Mended, Replay, bisect, mend};
 pub use error::BaseError;
-pub use mend::{Mended, mend};
-pub use replay::Replay;
-pub use tutte::lay_flat;
+pub use options::BaseOptions;

@@ -1,11 +1,13 @@
 //! Tests of the stage on shapes with known patches.
 
+mod shapes;
+
 use crate::Replay;
 use crate::editor::{Editor, Filling};
-use crate::shapes::Shape;
 use mesh_core::{FaceId, Id as _, VertexId};
 use proptest::prelude::*;
 use region_map::{BaseEdit, BaseMesh};
+use shapes::Shape;
 
 #[test]
 fn the_triangulated_sites_are_a_base_mesh() {
@@ -30,7 +32,7 @@ fn many_sites_coarsen_to_the_wanted_number_without_a_fold() {
         shape.check(&base);
         assert_eq!(base.mesh().n_vertices(), n);
         let editor = Editor::new(&shape.surface, base);
-        assert!(editor.faces().into_iter().all(|f| !crate::shape::is_folded(&editor, f)));
+        assert!(editor.faces().into_iter().all(|f| !crate::improve::is_folded(&editor, f)));
     }
 }
 
@@ -169,13 +171,13 @@ fn edits_that_do_not_fit_are_refused() {
 }
 
 #[test]
-fn no_base_triangle_is_an_ear() {
+fn no_base_triangle_has_a_straight_corner() {
     // A cap inside three segments of its rim would be one triangle with three flat corners.
     let shape = Shape::cylinder();
     let base = shape.base(8, 10);
     shape.check(&base);
     let editor = Editor::new(&shape.surface, base);
-    assert!(editor.faces().into_iter().all(|f| !crate::shape::is_ear(&editor, f)));
+    assert!(editor.faces().into_iter().all(|f| !crate::improve::has_straight_corner(&editor, f)));
 }
 
 #[test]

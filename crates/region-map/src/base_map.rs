@@ -7,7 +7,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 use mesh_core::exact::orient2d;
-use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, SurfacePoint, TriMesh, define_id};
+use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, SurfacePoint, TriMesh, closest_on_triangle, define_id};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -31,7 +31,22 @@ pub struct ChartFace {
 
 /// An injective piecewise linear map from a patch into the plane.
 #[derive(Clone, Debug)]
-pub struct Chart {
+pub struct Chart(Layout);
+
+/// Where decimation starts there is a chart for every working face: those take no memory of their own.
+#[derive(Clone, Debug)]
+enum Layout {
+    /// A whole working face on [`WHOLE_FACE`].
+    Whole(ChartFace),
+    /// Pieces of working faces.
+    Pieces(Box<Pieces>),
+}
+
+/// Where the corners of a whole working face are in its chart. The shape does not matter: the map is affine there.
+const WHOLE_FACE: [DVec2; 3] = [DVec2::ZERO, DVec2::X, DVec2::Y];
+
+#[derive(Clone, Debug)]
+struct Pieces {
     uv: Vec<DVec2>,
     faces: Vec<ChartFace>,
     /// `(source, face)` in rising order.
@@ -48,6 +63,9 @@ pub enum MapError {
     /// A chart has no pieces, a vertex that is not there, or a coordinate that is not finite.
     #[error("a chart has no pieces, a vertex that is not there, or a coordinate that is not finite")]
     Invalid,
+    /// A base face is in a chart that is not there.
+    #[error("a base face is in chart {0}, which is not there")]
+    NoSuchChart(ChartId),
     /// Old and new triangles of an edit don't cover the same area, or one is folded.
     #[error("an edit of the base mesh does not cover the same flat area before and after")]
     Uncovered,
@@ -67,23 +85,59 @@ impl Chart {
         }
         let mut by_source: Vec<_> = faces.iter().enumerate().map(|(i, f)| (f.source, i as u32)).collect();
         by_source.sort_unstable();
-        Ok(Self { index: SurfaceIndex::new(&flat), uv, faces, by_source })
+        Ok(Self(Layout::Pieces(Box::new(Pieces { index: SurfaceIndex::new(&flat), uv, faces, by_source }))))
+    }
+
+    /// The chart of a whole working face, its corners at (0, 0), (1, 0) and (0, 1).
+    pub fn of_face(source: FaceId) -> Self {
+        Self(Layout::Whole(ChartFace { vertices: [0, 1, 2], source, barycentric: [DVec3::X, DVec3::Y, DVec3::Z] }))
     }
 
     /// Positions of the vertices in the plane.
     pub fn uv(&self) -> &[DVec2] {
-        &self.uv
+        match &self.0 {
+            Layout::Whole(_) => &WHOLE_FACE,
+            Layout::Pieces(pieces) => &pieces.uv,
+        }
     }
     /// The pieces.
     pub fn faces(&self) -> &[ChartFace] {
-        &self.faces
+        match &self.0 {
+            Layout::Whole(face) => std::slice::from_ref(face),
+            Layout::Pieces(pieces) => &pieces.faces,
+        }
+    }
+
+    /// The piece that is closest to a point of the plane, and the barycentric coordinates of the closest point in it.
+    fn closest(&self, p: DVec2) -> (&ChartFace, DVec3) {
+        match &self.0 {
+            Layout::Whole(face) if p.is_finite() => (face, closest_on_triangle(p.extend(0.0), WHOLE_FACE.map(|c| c.extend(0.0)))),
+            Layout::Whole(face) => (face, DVec3::X),
+            Layout::Pieces(pieces) => {
+                // There always is a piece, and so a closest one to every finite point.
+                let (face, w) = pieces.index.closest(p.extend(0.0)).map_or((FaceId(0), DVec3::X), |c| (c.face, c.barycentric));
+                (&pieces.faces[face.index()], w)
+            }
+        }
+    }
+
+    /// The pieces of a working face.
+    fn pieces_of(&self, source: FaceId) -> impl Iterator<Item = &ChartFace> {
+        let (whole, pieces) = match &self.0 {
+            Layout::Whole(face) => (Some(face).filter(|f| f.source == source), None),
+            Layout::Pieces(pieces) => (None, Some(pieces)),
+        };
+        let pieces = pieces.into_iter().flat_map(move |pieces| {
+            let start = pieces.by_source.partition_point(|&(f, _)| f < source);
+            let own = pieces.by_source[start..].iter().take_while(move |(f, _)| *f == source);
+            own.map(|&(_, i)| &pieces.faces[i as usize])
+        });
+        whole.into_iter().chain(pieces)
     }
 
     /// The point of the working mesh at `p`; for a point outside of the chart that of the nearest point inside.
     pub fn locate(&self, p: DVec2) -> SurfacePoint {
-        // A chart always has a face, so there always is a closest one.
-        let (face, w) = self.index.closest(p.extend(0.0)).map_or((FaceId(0), DVec3::X), |c| (c.face, c.barycentric));
-        let piece = &self.faces[face.0 as usize];
+        let (piece, w) = self.closest(p);
         let [a, b, c] = piece.barycentric;
         SurfacePoint::new(piece.source, w.x * a + w.y * b + w.z * c)
     }
@@ -95,18 +149,16 @@ impl Chart {
 
     /// The same, with how deep inside the nearest piece of its face the point lies: negative for a point outside of the chart.
     fn find_deepest(&self, point: SurfacePoint) -> Option<(DVec2, f64)> {
-        let start = self.by_source.partition_point(|&(f, _)| f < point.face);
-        let pieces = self.by_source[start..].iter().take_while(|(f, _)| *f == point.face);
-        let (piece, w) = pieces
-            .map(|&(_, i)| {
-                let piece = &self.faces[i as usize];
+        let (piece, w) = self
+            .pieces_of(point.face)
+            .map(|piece| {
                 let [a, b, c] = piece.barycentric;
                 (piece, DMat3::from_cols(a, b, c).inverse() * point.barycentric)
             })
             .max_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))?;
         let depth = depth(w);
         let w = clamped(w);
-        let [a, b, c] = piece.vertices.map(|v| self.uv[v as usize]);
+        let [a, b, c] = piece.vertices.map(|v| self.uv()[v as usize]);
         Some((w.x * a + w.y * b + w.z * c, depth))
     }
 }
@@ -140,7 +192,9 @@ pub struct BaseMap {
     charts: Arc<IdVec<ChartId, Chart>>,
     /// The charts with pieces of a working face, in rising order. A face that base edges cross is in several.
     by_source: Vec<(FaceId, ChartId)>,
-    roots: IdVec<ChartId, Vec<MapFaceId>>,
+    /// The first base faces, chart by chart, and where those of each chart begin.
+    roots: Vec<MapFaceId>,
+    roots_from: IdVec<ChartId, usize>,
     faces: IdVec<MapFaceId, MapFace>,
     edits: Vec<Edit>,
     /// The faces that edits took away, in the layout of the edit.
@@ -148,27 +202,36 @@ pub struct BaseMap {
 }
 
 impl BaseMap {
-    /// A map from charts that cover the working faces, and the first base faces as triangles in them.
-    pub fn new(charts: IdVec<ChartId, Chart>, base: &[(ChartId, [DVec2; 3])]) -> Self {
-        let sources = charts.enumerate().flat_map(|(id, chart)| chart.by_source.iter().map(move |&(f, _)| (f, id)));
+    /// A map from charts that cover the working faces, and the first base faces as triangles in them. Fails where a base face is in a
+    /// chart that is not there.
+    pub fn new(charts: IdVec<ChartId, Chart>, base: &[(ChartId, [DVec2; 3])]) -> Result<Self, MapError> {
+        if let Some((chart, _)) = base.iter().find(|(chart, _)| charts.get(*chart).is_none()) {
+            return Err(MapError::NoSuchChart(*chart));
+        }
+        let sources = charts.enumerate().flat_map(|(id, chart)| chart.faces().iter().map(move |f| (f.source, id)));
         let mut by_source: Vec<_> = sources.collect();
         by_source.sort_unstable();
         by_source.dedup();
-        let mut roots = IdVec::filled(Vec::new(), charts.len());
-        let mut faces = IdVec::new();
-        for &(chart, layout) in base {
-            roots[chart].push(faces.push(MapFace { origin: Origin::Chart(chart), layout, replaced_by: None }));
-        }
-        Self { charts: Arc::new(charts), by_source, roots, faces, edits: Vec::new(), replaced: Vec::new() }
+        let face = |&(chart, layout): &(ChartId, [DVec2; 3])| MapFace { origin: Origin::Chart(chart), layout, replaced_by: None };
+        let faces: IdVec<MapFaceId, MapFace> = base.iter().map(face).collect();
+        let mut roots: Vec<MapFaceId> = faces.ids().collect();
+        roots.sort_by_key(|f| base[f.index()].0);
+        let roots_from = charts.ids().map(|id| roots.partition_point(|f| base[f.index()].0 < id)).collect();
+        Ok(Self { charts: Arc::new(charts), by_source, roots, roots_from, faces, edits: Vec::new(), replaced: Vec::new() })
     }
 
     /// The charts.
     pub fn charts(&self) -> &IdVec<ChartId, Chart> {
         &self.charts
     }
-    /// The first base faces in a chart, before any edit, as flat triangles.
+    /// The first base faces in a chart, before any edit, as flat triangles; none in one that is not there.
     pub fn first_faces(&self, chart: ChartId) -> impl Iterator<Item = [DVec2; 3]> + '_ {
-        self.roots[chart].iter().map(|&f| self.faces[f].layout)
+        self.roots_of(chart).iter().map(|&f| self.faces[f].layout)
+    }
+    fn roots_of(&self, chart: ChartId) -> &[MapFaceId] {
+        let Some(&from) = self.roots_from.get(chart) else { return &[] };
+        let to = self.roots_from.get(ChartId(chart.0 + 1)).copied().unwrap_or(self.roots.len());
+        &self.roots[from..to]
     }
     /// Number of edits so far.
     pub fn n_edits(&self) -> usize {
@@ -225,8 +288,8 @@ impl BaseMap {
         let charts = self.by_source[start..].iter().take_while(|(f, _)| *f == point.face);
         let found = charts.filter_map(|&(_, chart)| Some((chart, self.charts[chart].find_deepest(point)?)));
         let (chart, (p, _)) = found.max_by(|a, b| a.1.1.total_cmp(&b.1.1).then(b.0.cmp(&a.0)))?;
-        let first = *self.roots[chart].first()?;
-        let (mut face, mut barycentric) = containing(self.roots[chart].iter().map(|&f| (f, &self.faces[f].layout)), p, first);
+        let roots = self.roots_of(chart);
+        let (mut face, mut barycentric) = containing(roots.iter().map(|&f| (f, &self.faces[f].layout)), p, *roots.first()?);
         while let Some(edit) = self.faces[face].replaced_by {
             let layout = &self.old_faces(edit).iter().find(|(f, _)| *f == face)?.1;
             let p = at(layout, barycentric);

@@ -3,8 +3,9 @@
 //! Arcs that no base edges follow are given up: what a base mesh does not have, its subdivision cannot keep. Borders are never.
 
 use crate::TraceError;
-use crate::follow::{Followed, Stop};
+use crate::follow::Followed;
 use crate::foreign::Foreign;
+use crate::stops::Stop;
 use mesh_core::{EdgeId, FaceId, Id as _, IdVec, Topology, TriMesh, VertexId};
 use region_map::{Arc, ArcId, ArcKind, CornerId, Network, NetworkError, SheetId, SurfaceError};
 use rustc_hash::FxHashSet;

@@ -2,7 +2,7 @@
 
 use crate::Untraced;
 use crate::cut_mesh::CutMesh;
-use crate::tracer::Paths;
+use crate::paths::Paths;
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, Id as _, IdVec, TriMesh};
 use rayon::prelude::*;
@@ -15,7 +15,7 @@ const CORNERS: [DVec2; 3] = [DVec2::ZERO, DVec2::X, DVec2::new(0.5, 0.866_025_40
 /// Charts all base faces and makes them a map.
 pub(crate) fn charts(mut cut: CutMesh, base: &TriMesh, paths: &Paths) -> Result<BaseMap, Untraced> {
     cut.cut_dividing_edges();
-    let mut is_used = vec![false; cut.pieces.len()];
+    let mut is_used = vec![false; cut.pieces().len()];
     let mut regions = Vec::new();
     for f in base.faces().ids() {
         let border = Border::of(base, paths, f).ok_or(Untraced::Face(f))?;
@@ -25,7 +25,8 @@ pub(crate) fn charts(mut cut: CutMesh, base: &TriMesh, paths: &Paths) -> Result<
     let chart = |(f, border, pieces): &(FaceId, Border, Vec<u32>)| border.chart(&cut, pieces).ok_or(Untraced::Chart(*f));
     let charts = regions.par_iter().map(chart).collect::<Result<Vec<Chart>, Untraced>>()?;
     let faces: Vec<(ChartId, [DVec2; 3])> = (0..charts.len()).map(|i| (ChartId::new(i), CORNERS)).collect();
-    Ok(BaseMap::new(IdVec::from_vec(charts), &faces))
+    // Every face has its chart.
+    BaseMap::new(IdVec::from_vec(charts), &faces).map_err(|_| Untraced::NotFinite)
 }
 
 /// The three paths round a base face, counter-clockwise, each without its last vertex.
@@ -35,11 +36,7 @@ impl Border {
     fn of(base: &TriMesh, paths: &Paths, f: FaceId) -> Option<Self> {
         let corners = base.face(f);
         let side = |k: usize| {
-            let (v, w) = (corners[k], corners[(k + 1) % 3]);
-            let mut path = paths.get(&[v.min(w), v.max(w)])?.clone();
-            if v > w {
-                path.reverse();
-            }
+            let mut path = paths.path(corners[k], corners[(k + 1) % 3])?;
             path.pop();
             Some(path)
         };
@@ -60,7 +57,7 @@ impl Border {
         let mut next = 0;
         while let Some(&piece) = pieces.get(next) {
             next += 1;
-            let v = cut.pieces[piece as usize].vertices;
+            let v = cut.pieces()[piece as usize].vertices;
             vertices.extend(v);
             for c in 0..3 {
                 let (a, b) = (v[c], v[(c + 1) % 3]);
@@ -85,21 +82,21 @@ impl Border {
         let mut positions: Vec<DVec3> = Vec::new();
         let mut take = |v: u32| {
             *local.entry(v).or_insert_with(|| {
-                positions.push(cut.positions[v as usize]);
+                positions.push(cut.positions()[v as usize]);
                 positions.len() as u32 - 1
             })
         };
         let pieces: Vec<ChartFace> = region
             .iter()
             .map(|&i| {
-                let piece = &cut.pieces[i as usize];
+                let piece = &cut.pieces()[i as usize];
                 ChartFace { vertices: piece.vertices.map(&mut take), ..piece.clone() }
             })
             .collect();
         let mut fixed = vec![None; positions.len()];
         for (k, side) in self.0.iter().enumerate() {
             let end = self.0[(k + 1) % 3][0];
-            let stops: Vec<DVec3> = side.iter().chain([&end]).map(|&v| cut.positions[v as usize]).collect();
+            let stops: Vec<DVec3> = side.iter().chain([&end]).map(|&v| cut.positions()[v as usize]).collect();
             let whole: f64 = stops.windows(2).map(|w| w[0].distance(w[1])).sum();
             let mut along = 0.0;
             for (i, v) in side.iter().enumerate() {
@@ -107,6 +104,6 @@ impl Border {
                 along += stops[i].distance(stops[i + 1]);
             }
         }
-        basemesh::lay_flat(&positions, pieces, &fixed)
+        chart::lay_flat(&positions, pieces, &fixed)
     }
 }

@@ -16,6 +16,9 @@ pub enum TraceError {
         /// The same of the surface.
         surface: String,
     },
+    /// A vertex of it belongs to no face.
+    #[error("base vertex {0} belongs to no face; leave it out")]
+    UnusedVertex(VertexId),
     /// Its borders cannot be laid along those of the surface.
     #[error(
         "the border of the base mesh does not run along that of the input (near base vertex {0}); give a base mesh whose border \
@@ -25,6 +28,9 @@ pub enum TraceError {
     /// Its vertices and edges were attached in a way that contradicts itself: a bug of ours.
     #[error("internal error: the base mesh was attached wrongly ({0}); please report this with both files")]
     Attached(#[from] region_map::RegionMapError),
+    /// A vertex inside a sheet was given no place there: a bug of ours.
+    #[error("internal error: base vertex {0} has no place on the surface; please report this with both files")]
+    NoPlace(VertexId),
     /// A coordinate is not finite.
     #[error(transparent)]
     Mesh(#[from] mesh_core::MeshError),

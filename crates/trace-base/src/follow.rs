@@ -2,18 +2,12 @@
 
 use crate::foreign::Foreign;
 use crate::polyline::Polyline;
+use crate::stops::Stop;
 use glam::DVec3;
-use mesh_core::{EdgeId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
-use region_map::{Arc, ArcKind, CornerId, Network};
+use mesh_core::{EdgeId, IdVec, TriMesh, VertexId};
+use region_map::{Arc, ArcKind, CornerId, Network, spokes};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-/// A base vertex on an arc, and its arc length.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stop {
-    pub(crate) vertex: VertexId,
-    pub(crate) t: f64,
-}
 
 /// Chains of base edges found so far.
 pub(crate) struct Followed<'a> {
@@ -42,7 +36,8 @@ impl<'a> Followed<'a> {
         let mut taken_vertex = IdVec::filled(false, base.mesh.n_vertices());
         corners.iter().for_each(|&v| taken_vertex[v] = true);
         let lines: Vec<Polyline> = network.arcs.iter().map(|a| Polyline::of_arc(mesh, a, 0.0, a.length())).collect();
-        let nearest = |&p: &DVec3| lines.iter().map(|l| l.foot(p).1).fold(f64::INFINITY, f64::min);
+        let nearest =
+            |&p: &DVec3| lines.iter().fold(f64::INFINITY, |least, l| l.foot_below(p, least).map_or(least, |f| f.distance));
         let nearest_arc = base.mesh.positions().iter().map(nearest).collect();
         Self { base, taken_vertex, taken_edge: IdVec::filled(false, base.topology.n_edges()), nearest_arc }
     }
@@ -90,7 +85,7 @@ impl<'a> Followed<'a> {
         let line = Polyline::of_arc(mesh, arc, from, to);
         let feet =
             self.base.mesh.positions().enumerate().filter(|(v, _)| self.may_take(*v, arc.kind == ArcKind::Border, component));
-        let near = feet.map(|(v, &p)| (v, line.foot(p))).map(|(v, (t, d))| (v, t, d / self.base.reach[v]));
+        let near = feet.map(|(v, &p)| (v, line.foot(p))).map(|(v, f)| (v, f.t, f.distance / self.base.reach[v]));
         near.filter(|n| n.2 <= 1.0).min_by(|a, b| a.2.total_cmp(&b.2)).map(|(v, t, _)| (v, snapped(arc, t)))
     }
 
@@ -101,7 +96,7 @@ impl<'a> Followed<'a> {
     /// The vertices from `from` to `to` along free base edges that stay nearest to a line (Dijkstra).
     fn path(&self, from: VertexId, to: VertexId, line: &Polyline, border: bool, component: u32) -> Option<Vec<VertexId>> {
         let base = self.base;
-        let off = |p: DVec3, reach: f64| (line.foot(p).1 / reach).powi(2);
+        let off = |p: DVec3, reach: f64| (line.foot(p).distance / reach).powi(2);
         let mut best = IdVec::<VertexId, (f64, Option<VertexId>)>::filled((f64::INFINITY, None), base.mesh.n_vertices());
         best[from].0 = 0.0;
         let mut queue = BinaryHeap::from([(Reverse(0u64), from)]);
@@ -152,7 +147,7 @@ impl<'a> Followed<'a> {
     /// Arc lengths for a path, without its first vertex: those of the nearest points where they are in order.
     fn spread(&self, arc: &Arc, line: &Polyline, path: &[VertexId], [from, to]: [f64; 2]) -> Vec<Stop> {
         let n = path.len() - 1;
-        let mut t: Vec<f64> = path.iter().map(|&v| snapped(arc, line.foot(self.base.position(v)).0)).collect();
+        let mut t: Vec<f64> = path.iter().map(|&v| snapped(arc, line.foot(self.base.position(v)).t)).collect();
         (t[0], t[n]) = (from, to);
         let step = LEAST_STEP * (to - from) / n as f64;
         if t.windows(2).any(|w| w[1] - w[0] < step) {
@@ -176,10 +171,4 @@ fn snapped(arc: &Arc, t: f64) -> f64 {
         s if s > 1.0 - AT_VERTEX => round + arc.lengths[i + 1],
         _ => t,
     }
-}
-
-/// One halfedge for each edge at a vertex.
-fn spokes(topology: &Topology, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
-    let last = topology.fan(v).last().map(HalfedgeId::prev).filter(|&h| topology.twin(h).is_none());
-    topology.fan(v).chain(last)
 }

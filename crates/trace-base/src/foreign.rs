@@ -3,6 +3,7 @@
 use crate::TraceError;
 use glam::DVec3;
 use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, Topology, TriMesh, VertexId};
+use region_map::Surface;
 
 /// At so many places the distance between two components is measured.
 const SAMPLES: usize = 50;
@@ -22,8 +23,12 @@ pub(crate) struct Foreign {
 
 impl Foreign {
     /// Matches the components of the base mesh with those of the surface and turns those round that face inwards.
-    pub(crate) fn new(mesh: &TriMesh, topology: &Topology, base: &TriMesh) -> Result<Self, TraceError> {
+    pub(crate) fn new(surface: &Surface, base: &TriMesh) -> Result<Self, TraceError> {
+        let (mesh, topology) = (surface.mesh(), surface.topology());
         let base_topology = Topology::new(base.faces(), base.n_vertices())?;
+        if let Some(v) = base.positions().ids().find(|&v| base_topology.fan(v).next().is_none()) {
+            return Err(TraceError::UnusedVertex(v));
+        }
         let theirs = components(base, &base_topology);
         let ours = components(mesh, topology);
         let indices: Vec<SurfaceIndex> = ours.iter().map(|c| SurfaceIndex::of_faces(mesh, c.faces.iter().copied())).collect();

@@ -26,7 +26,7 @@ fn piece_between(mesh: &CutMesh, a: Node, b: Node) -> Option<u32> {
         Node::Vertex(v) => [v, v],
         Node::OnEdge(ends, _) => ends,
     };
-    let holds = |&piece: &u32| ends.iter().all(|v| mesh.pieces[piece as usize].vertices.contains(v));
+    let holds = |&piece: &u32| ends.iter().all(|v| mesh.pieces()[piece as usize].vertices.contains(v));
     [mesh.left(x, y), mesh.left(y, x)].into_iter().flatten().find(holds)
 }
 
@@ -41,7 +41,7 @@ pub(crate) fn lay(mesh: &mut CutMesh, path: &[Node], spacing: f64) -> Option<Vec
         });
     }
     for pair in vertices.windows(2) {
-        if !mesh.joined(pair[0], pair[1]) {
+        if !mesh.are_joined(pair[0], pair[1]) {
             return None;
         }
         mesh.wall(pair[0], pair[1]);
@@ -54,8 +54,8 @@ fn straightened(mesh: &CutMesh, path: &[Node], spacing: f64) -> Vec<f64> {
     let edges: Vec<[DVec3; 2]> = path
         .iter()
         .map(|node| match *node {
-            Node::Vertex(v) => [mesh.positions[v as usize]; 2],
-            Node::OnEdge(ends, _) => ends.map(|v| mesh.positions[v as usize]),
+            Node::Vertex(v) => [mesh.positions()[v as usize]; 2],
+            Node::OnEdge(ends, _) => ends.map(|v| mesh.positions()[v as usize]),
         })
         .collect();
     let first = |node: &Node| match *node {

@@ -31,9 +31,11 @@ mod follow;
 mod foreign;
 mod lay;
 mod path;
+mod paths;
 mod place;
 mod polyline;
 mod retrace;
+mod stops;
 mod trace;
 mod tracer;
 

@@ -113,7 +113,7 @@ impl Search<'_> {
     }
 
     fn meet(&self, node: Node, before: usize) -> Met {
-        let at = |v: u32| self.mesh.positions[v as usize];
+        let at = |v: u32| self.mesh.positions()[v as usize];
         let at = match node {
             Node::Vertex(v) => at(v),
             Node::OnEdge([a, b], step) => at(a).lerp(at(b), share(self.mesh, [a, b], step, self.spacing)),
@@ -133,11 +133,11 @@ impl Search<'_> {
         };
         next.clear();
         for piece in pieces {
-            let vertices = mesh.pieces[piece as usize].vertices;
+            let vertices = mesh.pieces()[piece as usize].vertices;
             for c in 0..3 {
                 let v = vertices[c];
                 let is_goal = v == self.to.vertex && self.to.sector.contains(&piece);
-                if is_goal || !mesh.taken[v as usize] {
+                if is_goal || !mesh.is_taken(v) {
                     next.push(Node::Vertex(v));
                 }
                 let (a, b) = (v, vertices[(c + 1) % 3]);
@@ -167,7 +167,7 @@ fn back(all: &[Met], mut i: usize) -> Vec<Node> {
 
 /// The number of points on an edge.
 fn steps(mesh: &CutMesh, [a, b]: [u32; 2], spacing: f64) -> u8 {
-    let [a, b] = [a, b].map(|v| mesh.positions[v as usize]);
+    let [a, b] = [a, b].map(|v| mesh.positions()[v as usize]);
     (a.distance(b) / spacing).round().clamp(1.0, MOST_STEPS) as u8
 }
 

@@ -2,14 +2,14 @@
 
 use crate::attach::Attached;
 use crate::foreign::Foreign;
-use mesh_core::{FaceId, IdVec, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcSpan, Attachment, RegionMap};
+use mesh_core::{IdVec, SurfacePoint, VertexId};
+use region_map::{ArcSpan, Attachment, RegionMap, Surface};
 use std::collections::BTreeMap;
 
 /// The region map of an attached base mesh: its vertices at corners, on arcs, and at the nearest points of their sheets that face
-/// the same way.
-pub(crate) fn region_map(mesh: &TriMesh, topology: &Topology, base: &Foreign, attached: &Attached) -> RegionMap {
-    let network = &attached.network;
+/// the same way. `surface` has the network that it is attached to. Fails with a vertex that belongs to no sheet.
+pub(crate) fn region_map(surface: &Surface, base: &Foreign, attached: &Attached) -> Result<RegionMap, VertexId> {
+    let (mesh, topology, network) = (surface.mesh(), surface.topology(), surface.network());
     let mut placed: IdVec<VertexId, Option<(Attachment, SurfacePoint)>> = IdVec::filled(None, base.mesh.n_vertices());
     let mut spans = BTreeMap::new();
     for (a, chain) in attached.chains.enumerate() {
@@ -28,26 +28,22 @@ pub(crate) fn region_map(mesh: &TriMesh, topology: &Topology, base: &Foreign, at
             placed[v] = Some((Attachment::Corner(c), SurfacePoint::at_corner(h.face(), h.corner())));
         }
     }
-    let mut faces_of_sheet = vec![Vec::new(); network.n_sheets];
-    network.sheet_of_face.enumerate().for_each(|(f, s)| faces_of_sheet[s.0 as usize].push(f));
-    let indices: Vec<SurfaceIndex> = faces_of_sheet.iter().map(|f| SurfaceIndex::of_faces(mesh, f.iter().copied())).collect();
     let normals = mesh.normals();
     let inside = |v: VertexId| {
-        let sheet = base.topology.fan(v).next().map(|h| attached.sheet_of_face[h.face()]).unwrap_or(region_map::SheetId(0));
-        let index = &indices[sheet.0 as usize];
+        let sheet = attached.sheet_of_face[base.topology.fan(v).next()?.face()];
+        let index = surface.sheet_index(sheet)?;
         let (at, facing) = (base.position(v), facing(base, v));
-        let closest = index.closest_where(at, |f| normals[f].dot(facing) > 0.0).or_else(|| index.closest(at));
-        // A sheet has faces, so there is a closest point.
-        let point = closest.map_or(SurfacePoint::at_corner(FaceId(0), 0), |c| c.point());
-        (Attachment::Sheet(sheet), point)
+        let closest = index.closest_where(at, |f| normals[f].dot(facing) > 0.0).or_else(|| index.closest(at))?;
+        Some((Attachment::Sheet(sheet), closest.point()))
     };
-    let (attachments, points): (Vec<_>, Vec<_>) = placed.enumerate().map(|(v, &p)| p.unwrap_or_else(|| inside(v))).unzip();
-    RegionMap {
+    let placed = placed.enumerate().map(|(v, &p)| p.or_else(|| inside(v)).ok_or(v)).collect::<Result<Vec<_>, _>>()?;
+    let (attachments, points): (Vec<_>, Vec<_>) = placed.into_iter().unzip();
+    Ok(RegionMap {
         attachments: IdVec::from_vec(attachments),
         points: IdVec::from_vec(points),
         sheet_of_face: attached.sheet_of_face.clone(),
         spans,
-    }
+    })
 }
 
 /// The way that the base mesh faces at a vertex.

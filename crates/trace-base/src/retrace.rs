@@ -1,7 +1,7 @@
 //! The other verb: a base mesh that hangs on a surface already gets a new map.
 
 use crate::Untraced;
-use crate::follow::Stop;
+use crate::stops::Stop;
 use crate::tracer::Tied;
 use glam::DVec3;
 use mesh_core::{EdgeId, Id as _, IdVec, TriMesh, VertexId};
@@ -28,7 +28,7 @@ pub fn retrace(surface: &Surface, base: &BaseMesh) -> Result<BaseMesh, Untraced>
         network: surface.network(),
         base: mesh,
         topology,
-        corners: &corners(surface.network(), region),
+        corners: &corners(surface.network(), region).ok_or(Untraced::OtherSurface)?,
         chains: &chains(surface.network(), region),
         via: via(surface.mesh(), base),
     };
@@ -50,15 +50,15 @@ fn check(surface: &Surface, base: &BaseMesh) -> Result<(), Untraced> {
     fits.then_some(()).ok_or(Untraced::OtherSurface)
 }
 
-/// The base vertex at every corner.
-fn corners(network: &Network, region: &RegionMap) -> IdVec<CornerId, VertexId> {
-    let mut corners = IdVec::filled(VertexId(0), network.corners.len());
+/// The base vertex at every corner; `None` where a corner has none.
+fn corners(network: &Network, region: &RegionMap) -> Option<IdVec<CornerId, VertexId>> {
+    let mut corners = IdVec::filled(None, network.corners.len());
     for (v, attachment) in region.attachments.enumerate() {
         if let Attachment::Corner(c) = *attachment {
-            corners[c] = v;
+            corners[c] = Some(v);
         }
     }
-    corners
+    corners.iter().copied().collect::<Option<Vec<_>>>().map(IdVec::from_vec)
 }
 
 /// The base vertices along every arc.

@@ -46,15 +46,18 @@ impl TracedBase {
 ///
 /// The order of vertices and faces stays; components that face inwards are turned round. Where the edges cannot be traced, the base
 /// mesh has no map.
+///
+/// Fails where the base mesh is no oriented manifold, where it has another topology than the surface, and where its borders do not run
+/// along those of the surface.
 pub fn trace(surface: &Surface, base: &TriMesh) -> Result<Traced, TraceError> {
-    let (mesh, topology) = (surface.mesh(), surface.topology());
-    let foreign = Foreign::new(mesh, topology, base)?;
-    let attached = attach(mesh, topology, surface.network(), &foreign)?;
-    let mut region = region_map(mesh, topology, &foreign, &attached);
-    region.check(&foreign.topology, &attached.network)?;
+    let foreign = Foreign::new(surface, base)?;
+    let attached = attach(surface.mesh(), surface.topology(), surface.network(), &foreign)?;
+    let surface = surface.with_network(attached.network.clone())?;
+    let mut region = region_map(&surface, &foreign, &attached).map_err(TraceError::NoPlace)?;
+    region.check(&foreign.topology, surface.network())?;
     let tied = Tied {
-        mesh,
-        network: &attached.network,
+        mesh: surface.mesh(),
+        network: surface.network(),
         base: &foreign.mesh,
         topology: &foreign.topology,
         corners: &attached.corners,
@@ -62,12 +65,12 @@ pub fn trace(surface: &Surface, base: &TriMesh) -> Result<Traced, TraceError> {
         via: IdVec::filled(Vec::new(), foreign.topology.n_edges()),
     };
     let map = tied.map(&mut region);
-    let positions = region.points.iter().map(|p| p.position(mesh)).collect();
+    let positions = region.points.iter().map(|p| p.position(surface.mesh())).collect();
     let domain = Domain { mesh: foreign.mesh.with_positions(positions)?, topology: Shared::new(foreign.topology), region };
     let map_faces = (0..base.n_faces()).map(MapFaceId::new).collect();
     let base = match map {
         Ok(map) => TracedBase::Mapped(BaseMesh { domain, map, map_faces }),
         Err(reason) => TracedBase::Unmapped { domain, reason },
     };
-    Ok(Traced { surface: surface.with_network(attached.network)?, base })
+    Ok(Traced { surface, base })
 }

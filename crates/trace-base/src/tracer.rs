@@ -3,18 +3,16 @@
 use crate::Untraced;
 use crate::charts::charts;
 use crate::cut_mesh::CutMesh;
-use crate::follow::Stop;
 use crate::lay::{lay, piece_met_twice};
 use crate::path::{End, Way, shortest};
+use crate::paths::Paths;
+use crate::stops::{Stop, cut_at_stops};
 use glam::DVec3;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
-use region_map::{Arc, ArcId, Attachment, BaseMap, CornerId, Network, RegionMap};
-use rustc_hash::FxHashMap;
+use region_map::{ArcId, Attachment, BaseMap, CornerId, Network, RegionMap};
 
 /// Points on working edges, where paths may cross them, are this share of a mean base edge apart.
 const SPACING: f64 = 0.06;
-/// A stop this close to a vertex of its arc, as a share of the arc's edge, is cut there: pieces without area have no chart.
-const AT_VERTEX: f64 = 1e-9;
 /// So many pieces are cut for one path that comes back to them. Where it winds among pieces larger than its turns it takes some.
 const MOST_CUTS: usize = 50;
 /// So often the edges are traced in another order.
@@ -76,7 +74,7 @@ impl Tied<'_> {
         let map = charts(tracer.cut.clone(), self.base, &tracer.paths)?;
         for v in region.vertices() {
             if let Attachment::Sheet(_) = region.attachments[v] {
-                region.points[v] = tracer.cut.point(tracer.vertices[v]);
+                region.points[v] = tracer.cut.point(tracer.vertices[v]).ok_or(Untraced::OtherSurface)?;
             }
         }
         Ok(map)
@@ -92,9 +90,6 @@ impl Tied<'_> {
     }
 }
 
-/// The paths of traced base edges, from the lower to the higher base vertex, as vertices of the cut mesh.
-pub(crate) type Paths = FxHashMap<[VertexId; 2], Vec<u32>>;
-
 struct Tracer<'a> {
     tied: &'a Tied<'a>,
     cut: CutMesh,
@@ -109,29 +104,32 @@ impl<'a> Tracer<'a> {
     fn new(tied: &'a Tied<'a>, region: &RegionMap) -> Result<Self, Untraced> {
         let mut cut = CutMesh::new(tied.mesh);
         let network = tied.network;
-        let mut vertices = IdVec::filled(u32::MAX, tied.base.n_vertices());
+        let mut vertices: IdVec<VertexId, Option<u32>> = IdVec::filled(None, tied.base.n_vertices());
         for arc in &network.arcs {
             arc.vertices.windows(2).for_each(|w| cut.wall(w[0].0, w[1].0));
         }
-        tied.corners.enumerate().for_each(|(c, &v)| vertices[v] = network.corners[c].0);
+        tied.corners.enumerate().for_each(|(c, &v)| vertices[v] = Some(network.corners[c].0));
         let mut paths = Paths::default();
         for (a, chain) in tied.chains.enumerate() {
-            let mut run = run_along(&mut cut, &network.arcs[a], chain.iter().map(|s| s.t).collect()).into_iter();
+            let mut run = cut_at_stops(&mut cut, &network.arcs[a], chain).into_iter();
             for pair in chain.windows(2) {
                 let [v, w] = [pair[0].vertex, pair[1].vertex];
                 // Stops in one place are one vertex.
                 let path = run.next().ok_or(Untraced::Edge(v, w))?;
-                (vertices[v], vertices[w]) = (path[0], path[path.len() - 1]);
-                keep(&mut paths, v, w, path);
+                (vertices[v], vertices[w]) = (path.first().copied(), path.last().copied());
+                paths.keep(v, w, path);
             }
         }
         // Corners without arcs, then all others.
-        tied.corners.iter().for_each(|&v| cut.taken[vertices[v] as usize] = true);
+        tied.corners.iter().filter_map(|&v| vertices[v]).for_each(|v| cut.take(v));
         for (v, attachment) in region.attachments.enumerate() {
             if matches!(attachment, Attachment::Sheet(_)) {
                 vertices[v] = cut.insert(region.points[v]);
             }
         }
+        // Every vertex is at a corner, on an arc or in a sheet.
+        let vertices: Option<Vec<u32>> = vertices.into_vec().into_iter().collect();
+        let vertices = IdVec::from_vec(vertices.ok_or(Untraced::OtherSurface)?);
         let n = tied.topology.n_edges().max(1) as f64;
         let mean = tied.topology.edge_ids().map(|e| tied.length(e)).sum::<f64>() / n;
         Ok(Self { tied, cut, vertices, paths, spacing: SPACING * mean })
@@ -141,12 +139,11 @@ impl<'a> Tracer<'a> {
     /// be shut out; then the others. Short ones first, and those in `first` before all.
     fn order(&self, first: &[EdgeId]) -> Vec<EdgeId> {
         let topology = self.tied.topology;
-        let key = |v: VertexId, w: VertexId| [v.min(w), v.max(w)];
         let mut parent: IdVec<VertexId, VertexId> = self.tied.base.positions().ids().collect();
         let mut open = Vec::new();
         for e in topology.edge_ids() {
             let [a, b] = topology.ends(e);
-            if self.paths.contains_key(&key(a, b)) {
+            if self.paths.has(a, b) {
                 join(&mut parent, a, b);
             } else {
                 open.push((self.tied.length(e), e));
@@ -167,9 +164,9 @@ impl<'a> Tracer<'a> {
 
     fn trace(&mut self, e: EdgeId) -> Result<(), Untraced> {
         let [a, b] = self.tied.topology.ends(e);
-        let way = self.tied.way(e, [a, b].map(|v| self.cut.positions[self.vertices[v] as usize]));
+        let way = self.tied.way(e, [a, b].map(|v| self.cut.positions()[self.vertices[v] as usize]));
         let path = self.laid([a, b], &way).ok_or(Untraced::Edge(a, b))?;
-        keep(&mut self.paths, a, b, path);
+        self.paths.keep(a, b, path);
         Ok(())
     }
 
@@ -190,7 +187,7 @@ impl<'a> Tracer<'a> {
         let vertex = self.vertices[v];
         let ring: Vec<VertexId> = self.tied.topology.one_ring(v).collect();
         let own = ring.iter().position(|&x| x == w).unwrap_or(0);
-        let spoke = |x: VertexId| self.first_step(v, x);
+        let spoke = |x: VertexId| self.paths.first_step(v, x);
         let n = ring.len();
         let before = (1..n).find_map(|k| spoke(ring[(own + n - k) % n]));
         let after = (1..n).find_map(|k| spoke(ring[(own + k) % n]));
@@ -200,19 +197,6 @@ impl<'a> Tracer<'a> {
         };
         End { vertex, sector }
     }
-
-    /// The vertex next to `v` on the path to `w`, if there is one already.
-    fn first_step(&self, v: VertexId, w: VertexId) -> Option<u32> {
-        let path = self.paths.get(&[v.min(w), v.max(w)])?;
-        Some(if v < w { path[1] } else { path[path.len() - 2] })
-    }
-}
-
-fn keep(paths: &mut Paths, v: VertexId, w: VertexId, mut path: Vec<u32>) {
-    if v > w {
-        path.reverse();
-    }
-    paths.insert([v.min(w), v.max(w)], path);
 }
 
 /// Joins the trees of two vertices; false when they are one already.
@@ -227,56 +211,4 @@ fn join(parent: &mut IdVec<VertexId, VertexId>, a: VertexId, b: VertexId) -> boo
     let (a, b) = (root(a), root(b));
     parent[a] = b;
     a != b
-}
-
-/// Cuts an arc at arc lengths and gives the vertices from each to the next, the ends included. `at` begins and ends with the ends of
-/// the arc, or on a loop with the same place.
-fn run_along(cut: &mut CutMesh, arc: &Arc, at: Vec<f64>) -> Vec<Vec<u32>> {
-    let length = arc.length();
-    // Every stop in the first round: the edge that it is on, and how far along.
-    let mut stops: Vec<(usize, f64, usize)> = Vec::new();
-    let inner = if arc.is_loop() { 0..at.len() - 1 } else { 1..at.len() - 1 };
-    for k in inner {
-        let t = if arc.is_loop() { at[k].rem_euclid(length) } else { at[k] };
-        let (i, s) = arc.segment(t);
-        // Rounding may have put a stop beside the vertex that it is at.
-        stops.push(match s {
-            s if s < AT_VERTEX => (i, 0.0, k),
-            s if s > 1.0 - AT_VERTEX => ((i + 1) % (arc.vertices.len() - 1), 0.0, k),
-            s => (i, s, k),
-        });
-    }
-    stops.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut run: Vec<(u32, Option<usize>)> = Vec::new();
-    let mut next = stops.into_iter().peekable();
-    for i in 0..arc.vertices.len() - 1 {
-        let [start, end] = [arc.vertices[i].0, arc.vertices[i + 1].0];
-        let (mut from, mut done) = (start, 0.0);
-        run.push((start, None));
-        while let Some((_, s, k)) = next.next_if(|n| n.0 == i) {
-            if s == 0.0 {
-                run.last_mut().iter_mut().for_each(|r| r.1 = Some(k));
-            } else if let Some(m) = cut.cut(from, end, (s - done) / (1.0 - done)) {
-                run.push((m, Some(k)));
-                (from, done) = (m, s);
-            }
-        }
-    }
-    if arc.is_loop() {
-        let first = run.iter().position(|r| r.1 == Some(0)).unwrap_or(0);
-        run.rotate_left(first);
-        run.push((run[0].0, Some(at.len() - 1)));
-    } else {
-        run[0].1 = Some(0);
-        run.push((arc.vertices[arc.vertices.len() - 1].0, Some(at.len() - 1)));
-    }
-    let mut paths: Vec<Vec<u32>> = Vec::new();
-    for (v, stop) in run {
-        paths.last_mut().iter_mut().for_each(|p| p.push(v));
-        if stop.is_some() {
-            paths.push(vec![v]);
-        }
-    }
-    paths.pop();
-    paths
 }

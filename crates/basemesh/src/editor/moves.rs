@@ -1,10 +1,9 @@
 //! Moves of a vertex: inside its sheet, and along its arc.
 
-use super::Editor;
+use super::layout::{are_unfolded, deepest, full_star, half_star};
+use super::mesh::Editor;
 use super::replace::Edit;
-use crate::layout::{are_unfolded, deepest, full_star, half_star};
-use crate::shape::signed_quality;
-use crate::star::{Face, Ring, side_between};
+use super::star::{Face, Ring, side_between, signed_quality};
 use glam::{DVec2, DVec3};
 use mesh_core::{SurfacePoint, VertexId, inverse_mean_ratio};
 use region_map::{ArcId, ArcSpan, Attachment};
@@ -19,7 +18,7 @@ const SLIDES: [f64; 11] = [0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7
 const LEAST_SLIDE_GAIN: f64 = 0.01;
 
 /// The place of a vertex on its arc: its arc length, and both neighbours on the arc with the signed arc lengths to them.
-struct Rail {
+struct PlaceOnArc {
     arc: ArcId,
     t: f64,
     ends: [(VertexId, f64); 2],
@@ -65,47 +64,47 @@ impl Editor<'_> {
     /// Slides a vertex along its arc to where the triangles round it have the best shape. False when it stays.
     pub(crate) fn slide_vertex(&mut self, v: VertexId) -> bool {
         let Some(ring) = self.ring(v) else { return false };
-        let Some(rail) = self.rail(v, &ring) else { return false };
-        let Some(slide) = self.best_slide(v, &rail) else { return false };
-        let [(u, gap_u), (w, gap_w)] = rail.ends;
+        let Some(place) = self.place_on_arc(v, &ring) else { return false };
+        let Some(slide) = self.best_slide(v, &place) else { return false };
+        let [(u, gap_u), (w, gap_w)] = place.ends;
         let sides = [(u, w, [gap_u, gap_w]), (w, u, [gap_w, gap_u])];
         let sides = sides.into_iter().filter_map(|(first, last, gaps)| Some((side_between(&ring, first, last)?, gaps)));
         let edits: Option<Vec<_>> = sides.map(|(side, gaps)| self.slide_edit(v, &side, gaps, slide)).collect();
         let Some(edits) = edits else { return false };
-        let arc = &self.surface.network().arcs[rail.arc];
-        let t = arc.normalise(rail.t + slide);
+        let arc = &self.surface.network().arcs[place.arc];
+        let t = arc.normalise(place.t + slide);
         let point = arc.point(self.surface.topology(), t);
         let to = point.position(self.surface.mesh());
         if !self.replace(&edits, Some((v, to))) {
             return false;
         }
-        for (end, gap) in rail.ends {
-            self.region.insert_span(v, end, ArcSpan { arc: rail.arc, from: t, to: t + gap - slide });
+        for (end, gap) in place.ends {
+            self.region.insert_span(v, end, ArcSpan { arc: place.arc, from: t, to: t + gap - slide });
         }
-        self.region.attachments[v] = Attachment::Arc { arc: rail.arc, t };
+        self.region.attachments[v] = Attachment::Arc { arc: place.arc, t };
         (self.region.points[v], self.positions[v]) = (point, to);
         true
     }
 
-    /// The arc that a vertex sits on, between two neighbours.
-    fn rail(&self, v: VertexId, ring: &Ring) -> Option<Rail> {
+    /// Where a vertex sits on its arc, between two neighbours; `None` off the arcs, and at a corner.
+    fn place_on_arc(&self, v: VertexId, ring: &Ring) -> Option<PlaceOnArc> {
         let Attachment::Arc { arc, .. } = self.attachment(v) else { return None };
         let spans: Vec<_> = ring.vertices.iter().filter_map(|&w| Some((w, self.span(v, w)?))).collect();
         let [(u, to_u), (w, to_w)] = spans[..] else { return None };
-        Some(Rail { arc, t: to_u.from, ends: [(u, to_u.to - to_u.from), (w, to_w.to - to_w.from)] })
+        Some(PlaceOnArc { arc, t: to_u.from, ends: [(u, to_u.to - to_u.from), (w, to_w.to - to_w.from)] })
     }
 
     /// How far along its arc a vertex should slide; `None` where that gains too little.
-    fn best_slide(&self, v: VertexId, rail: &Rail) -> Option<f64> {
-        let arc = &self.surface.network().arcs[rail.arc];
+    fn best_slide(&self, v: VertexId, on_arc: &PlaceOnArc) -> Option<f64> {
+        let arc = &self.surface.network().arcs[on_arc.arc];
         let cost = |place: DVec3| -> f64 {
             let shape =
                 |f: Face| inverse_mean_ratio(f.vertices.map(|x| if x == v { place } else { self.positions[x] }), f.normal);
             self.faces_at(v).map(shape).sum()
         };
-        let [(_, gap_u), (_, gap_w)] = rail.ends;
+        let [(_, gap_u), (_, gap_w)] = on_arc.ends;
         let slides = SLIDES.iter().map(|share| gap_w + share * (gap_u - gap_w));
-        let costs = slides.map(|slide| (cost(arc.position(self.surface.mesh(), arc.normalise(rail.t + slide))), slide));
+        let costs = slides.map(|slide| (cost(arc.position(self.surface.mesh(), arc.normalise(on_arc.t + slide))), slide));
         let (least, slide) = costs.min_by(|a, b| a.0.total_cmp(&b.0))?;
         (least < (1.0 - LEAST_SLIDE_GAIN) * cost(self.positions[v])).then_some(slide)
     }

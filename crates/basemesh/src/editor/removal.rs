@@ -1,10 +1,9 @@
 //! Taking a vertex away: its star is filled with the best triangles over the same neighbours.
 
-use super::Editor;
+use super::layout::{are_unfolded, full_star, half_star};
+use super::mesh::Editor;
 use super::replace::Edit;
-use crate::layout::{are_unfolded, full_star, half_star};
-use crate::shape::signed_quality;
-use crate::star::{Face, Ring, side_between};
+use super::star::{Face, Ring, side_between, signed_quality};
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, VertexId, cheapest_filling, exact, inverse_mean_ratio};
 use region_map::{ArcSpan, Attachment};
@@ -179,7 +178,7 @@ impl Editor<'_> {
                 // A polygon's corners come in their order round it, whichever is first.
                 let mut given: Vec<_> = places.collect();
                 given.iter_mut().for_each(|t| t.sort_unstable());
-                given
+                fill(n, &given).then_some(given)?
             }
             Filling::Cheapest if n > MOST_CORNERS => return None,
             Filling::Cheapest => {
@@ -241,6 +240,18 @@ impl Side {
         let old = faces.map(|(i, (&f, layout))| (f, corners(i), layout)).collect();
         Edit { old, new: triangles.iter().map(|t| (t.map(|i| w[i]), t.map(|i| flat[i]))).collect() }
     }
+}
+
+/// Do these triangles, their corners rising, fill a polygon of `n` corners? Its sides must be theirs, and each of their other edges be
+/// there once in both directions: then they cover any flat polygon once, if none is folded.
+fn fill(n: usize, triangles: &[[usize; 3]]) -> bool {
+    let sides = triangles.iter().flat_map(|t| (0..3).map(|c| [t[c], t[(c + 1) % 3]]));
+    let back = (0..n).map(|i| [(i + 1) % n, i]);
+    let mut edges: Vec<[usize; 2]> = sides.chain(back).collect();
+    let mut reversed: Vec<[usize; 2]> = edges.iter().map(|&[i, j]| [j, i]).collect();
+    edges.sort_unstable();
+    reversed.sort_unstable();
+    triangles.len() + 2 == n && edges == reversed && edges.windows(2).all(|w| w[0] != w[1])
 }
 
 /// Are these triangles of a flat polygon unfolded?

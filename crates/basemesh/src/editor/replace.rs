@@ -1,8 +1,8 @@
 //! The one way in which a base mesh changes: faces over flat polygons give way to others, in the mesh and in the map.
 
+use super::mesh::{Editor, surface_normal};
 use super::samples::{MOST_TURNED, Placed, moved};
-use super::{Editor, surface_normal};
-use crate::star::Face;
+use super::star::Face;
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, VertexId, normal};
 use region_map::MapFaceId;

@@ -3,7 +3,7 @@
 //! The map runs backwards through the history of edits, which takes long where they are many. Samples run forwards with them (Lee et
 //! al., *MAPS*, 1998): an edit moves those of its few faces to the new ones. So a face always knows the normals that it stands for.
 
-use crate::layout::deepest;
+use super::layout::deepest;
 use glam::{DVec2, DVec3};
 use mesh_core::{IdVec, SurfacePoint};
 use region_map::{BaseMap, MapFaceId, Surface};

@@ -40,7 +40,7 @@ fn cube() -> (TriMesh, BaseMap) {
     let charts = charts(&mesh);
     let [a, b, c, d] = SQUARE;
     let base: Vec<_> = charts.ids().flat_map(|chart| [(chart, [a, b, c]), (chart, [a, c, d])]).collect();
-    let map = BaseMap::new(charts, &base);
+    let map = BaseMap::new(charts, &base).unwrap();
     (mesh, map)
 }
 
@@ -106,6 +106,40 @@ fn a_chart_must_be_unfolded_and_whole() {
     assert!(Chart::new(uv, vec![piece([0, 1, 2]), piece([0, 2, 3])]).is_ok());
 }
 
+/// A whole face is charted as one that is given by its pieces, to the last bit.
+#[test]
+fn the_chart_of_a_whole_face_is_a_chart_like_any_other() {
+    let mesh = fixtures::cube(2);
+    let corners = [DVec2::ZERO, DVec2::X, DVec2::Y];
+    for source in mesh.faces().ids() {
+        let piece = ChartFace { vertices: [0, 1, 2], source, barycentric: [DVec3::X, DVec3::Y, DVec3::Z] };
+        let (whole, pieces) = (Chart::of_face(source), Chart::new(corners.to_vec(), vec![piece]).unwrap());
+        assert_eq!((whole.uv(), whole.faces()), (pieces.uv(), pieces.faces()));
+        for i in 0..400 {
+            let p = DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 0.083 - DVec2::splat(0.3);
+            let at = whole.locate(p);
+            assert_eq!(at, pieces.locate(p), "inside, outside and on the border");
+            assert_eq!(whole.find(at), pieces.find(at));
+        }
+        assert_eq!(whole.locate(DVec2::NAN), pieces.locate(DVec2::NAN));
+        assert_eq!(whole.find(SurfacePoint::at_corner(FaceId(source.0 + 1), 0)), None);
+    }
+}
+
+#[test]
+fn what_is_not_there_is_refused() {
+    let (_, mut map) = cube();
+    let charts = map.charts().clone();
+    let beyond = ChartId::new(charts.len());
+    assert_eq!(BaseMap::new(charts, &[(beyond, [DVec2::ZERO, DVec2::X, DVec2::Y])]).unwrap_err(), MapError::NoSuchChart(beyond));
+    assert_eq!(map.first_faces(beyond).count(), 0);
+    let [old, new] = both(SQUARE);
+    let no_face = MapFaceId(12);
+    assert!(!map.is_present(no_face) && map.is_present(MapFaceId(11)));
+    assert_eq!(map.replace(&[(MapFaceId(0), old[0]), (no_face, old[1])], &new), Err(MapError::Uncovered));
+    assert_eq!(map.n_edits(), 0);
+}
+
 /// Both triangulations of a convex quadrilateral.
 fn both([a, b, c, d]: [DVec2; 4]) -> [[[DVec2; 3]; 2]; 2] {
     [[[a, b, c], [a, c, d]], [[a, b, d], [b, c, d]]]
@@ -139,7 +173,7 @@ fn a_face_too_small_for_its_weights_is_no_trap() {
     let (mesh, charts) = (fixtures::cube(1), charts(&fixtures::cube(1)));
     let tiny = [DVec2::ZERO, DVec2::X * 1e-200, DVec2::Y * 1e-200];
     let base: Vec<_> = charts.ids().map(|chart| (chart, tiny)).collect();
-    let map = BaseMap::new(charts, &base);
+    let map = BaseMap::new(charts, &base).unwrap();
     let (_, w) = map.find(SurfacePoint::at_corner(FaceId(0), 1)).unwrap();
     assert!(w.is_finite() && map.locate(MapFaceId(0), w).position(&mesh).is_finite());
 }

@@ -1,7 +1,7 @@
 //! Flips and moves: better triangles with as many vertices.
 
+use super::shape::{flip_gain, is_folded};
 use crate::editor::Editor;
-use crate::shape::{flip_gain, is_folded};
 use mesh_core::VertexId;
 
 /// Moves of all vertices in a round.

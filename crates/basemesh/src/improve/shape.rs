@@ -1,7 +1,6 @@
 //! What an edit would do to the shape of the base triangles.
 
-use crate::editor::Editor;
-use crate::star::Face;
+use crate::editor::{Editor, Face, signed_quality};
 use glam::DVec3;
 use mesh_core::{VertexId, inverse_mean_ratio};
 use region_map::Attachment;
@@ -10,15 +9,10 @@ use region_map::Attachment;
 const VALENCE_COST: f64 = 0.12;
 /// Cost of a right angle between two neighbouring triangles off the creases.
 const FOLD_COST: f64 = 2.0;
-/// Cost of an ear: above two of the worst shapes, so that no flip makes one to mend a needle.
-const EAR_COST: f64 = 300.0;
-/// Cosine of the angle between two arcs beyond which a triangle in it is an ear: 150 degrees.
-const EAR_COSINE: f64 = -0.866;
-
-/// Quality (AR) of a triangle, negative for one that faces against `normal`.
-pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
-    mesh_core::aspect_ratio(t).copysign(mesh_core::vector_area(t).dot(normal))
-}
+/// Cost of a triangle with a straight corner: above two of the worst shapes, so that no flip makes one to mend a needle.
+const STRAIGHT_COST: f64 = 300.0;
+/// Cosine of the angle between two arcs beyond which a triangle's corner between them counts as straight: 150 degrees.
+const STRAIGHT_COSINE: f64 = -0.866;
 
 /// True for a face that faces against the surface under its middle.
 pub(crate) fn is_folded(editor: &Editor<'_>, corners: [VertexId; 3]) -> bool {
@@ -43,22 +37,22 @@ pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     before - after + VALENCE_COST * valences
 }
 
-/// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones. Ears cost more than
-/// anything.
+/// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones. A straight corner costs
+/// more than anything.
 fn pair_cost(editor: &Editor<'_>, s: ([VertexId; 3], DVec3), t: ([VertexId; 3], DVec3)) -> f64 {
     let [p, q] = [s.0, t.0].map(|f| f.map(|v| editor.position(v)));
     let fold = 1.0 - mesh_core::normal(p).dot(mesh_core::normal(q));
-    let ears = [s.0, t.0].into_iter().filter(|&f| is_ear(editor, f)).count();
-    inverse_mean_ratio(p, s.1) + inverse_mean_ratio(q, t.1) + FOLD_COST * fold + EAR_COST * ears as f64
+    let straight = [s.0, t.0].into_iter().filter(|&f| has_straight_corner(editor, f)).count();
+    inverse_mean_ratio(p, s.1) + inverse_mean_ratio(q, t.1) + FOLD_COST * fold + STRAIGHT_COST * straight as f64
 }
 
-/// True for a triangle with two edges on arcs that go on nearly straight at their common vertex. However good the base triangle
-/// looks: subdivided along the arcs, its corner there opens to 180 degrees.
-pub(crate) fn is_ear(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
+/// True for a triangle with a straight corner: two of its edges are on arcs that go on nearly straight at their common vertex. However
+/// good the base triangle looks: subdivided along the arcs, its corner there opens to 180 degrees.
+pub(crate) fn has_straight_corner(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
     (0..3).any(|i| {
         let [v, next, last] = [0, 1, 2].map(|k| face[(i + k) % 3]);
         match (editor.arc_direction(v, next), editor.arc_direction(v, last)) {
-            (Some(a), Some(b)) => a.dot(b) < EAR_COSINE,
+            (Some(a), Some(b)) => a.dot(b) < STRAIGHT_COSINE,
             _ => false,
         }
     })

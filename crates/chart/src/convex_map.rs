@@ -27,9 +27,15 @@ const GREATEST_HARMONIC: f64 = 1e4;
 /// Relative residual that the iteration goes down to.
 const RESIDUAL: f64 = 1e-14;
 
-/// Lays pieces flat, with the vertices that `fixed` gives a place (the border, on a strictly convex polygon) held there; `None` where
-/// rounding folds the map with all weights. No inner edge may join two fixed vertices.
+/// Lays pieces flat, with the vertices that `fixed` gives a place (the border, on a strictly convex polygon) held there.
+///
+/// `positions` and `fixed` have an entry for every vertex of the pieces. No inner edge may join two fixed vertices. `None` where rounding
+/// folds the map with all weights, and where a table is too short.
 pub fn lay_flat(positions: &[DVec3], pieces: Vec<ChartFace>, fixed: &[Option<DVec2>]) -> Option<Chart> {
+    let are_there = pieces.iter().flat_map(|p| p.vertices).all(|v| (v as usize) < positions.len());
+    if !are_there || fixed.len() != positions.len() {
+        return None;
+    }
     let chart = |weights| Chart::new(solve(positions, &pieces, fixed, weights), pieces.clone()).ok();
     [Weights::Harmonic, Weights::Cotangent, Weights::Uniform].into_iter().find_map(chart)
 }
@@ -94,7 +100,8 @@ fn cotangent(positions: &[DVec3], [a, b, o]: [u32; 3], weights: Weights) -> f64 
     if cotangent.is_nan() { LEAST_COTANGENT } else { cotangent.clamp(LEAST_COTANGENT, GREATEST_COTANGENT) }
 }
 
-/// Conjugate gradients with the diagonal as preconditioner, both coordinates at once (each with its own step).
+/// Conjugate gradients with the diagonal as preconditioner, both coordinates at once, each with its own step: they are two systems with
+/// one matrix. (The crate `conjugate-gradients` takes one step for all coordinates of an unknown.)
 fn conjugate_gradients(rows: &Rows, uv: &mut [DVec2]) {
     let n = rows.free.len();
     let precondition = |r: &[DVec2]| -> Vec<DVec2> { r.iter().zip(&rows.diagonal).map(|(r, d)| *r / *d).collect() };

@@ -1,4 +1,4 @@
-//! Base faces, and the ring of neighbours round a vertex.
+//! Base faces, their quality, and the ring of neighbours round a vertex.
 
 use glam::DVec3;
 use mesh_core::{FaceId, VertexId};
@@ -8,7 +8,8 @@ use region_map::{MapFaceId, SheetId};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Face {
     pub(crate) vertices: [VertexId; 3],
-    /// Unit normal of the surface at the point that the map gives the middle of the face.
+    /// Unit normal of the surface under the face: the mean of the samples that it covers, or, where it covers none, the normal at
+    /// the point that the map gives its middle.
     pub(crate) normal: DVec3,
     /// The sheet of the face.
     pub(crate) sheet: SheetId,
@@ -59,4 +60,9 @@ pub(crate) fn side_between(ring: &Ring, first: VertexId, last: VertexId) -> Opti
     let vertices = (0..=count).map(|i| ring.vertices[(start + i) % n]).collect();
     let faces = (0..count).map(|i| ring.faces[(start + i) % n]).collect();
     Some(Ring { vertices, faces, closed: false })
+}
+
+/// Quality (AR) of a triangle, negative for one that faces against `normal`.
+pub(crate) fn signed_quality(t: [DVec3; 3], normal: DVec3) -> f64 {
+    mesh_core::aspect_ratio(t).copysign(mesh_core::vector_area(t).dot(normal))
 }
