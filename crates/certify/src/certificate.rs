@@ -1,6 +1,6 @@
 //! [`Certificate`]: what a finished mesh was found to be, and everything that it does not pass.
 
-use crate::component_counts::{ComponentCounts, component_counts};
+use crate::component_counts::{self, ComponentCounts};
 use crate::connectivity::{ConnectivityError, Hierarchy, connectivity};
 use crate::error::MeasureError;
 use crate::measures::{MeasureOptions, Measures, measure};
@@ -145,7 +145,7 @@ impl Certificate {
 /// the output has no surface; everything else that is wrong is in [`Certificate::failures`].
 pub fn certify(input: &Reference, output: &TriMesh, levels: u32, options: &MeasureOptions) -> Result<Certificate, MeasureError> {
     let measures = measure(input, output, options)?;
-    let hierarchy = connectivity(output.faces(), levels);
+    let hierarchy = connectivity(output, levels);
     let mut failures = match &hierarchy {
         Ok(hierarchy) => count_failures(&hierarchy.base_faces, output, levels),
         Err(error) => vec![Failure::Connectivity(*error)],
@@ -156,7 +156,7 @@ pub fn certify(input: &Reference, output: &TriMesh, levels: u32, options: &Measu
 }
 
 fn count_failures(base: &IdVec<FaceId, [VertexId; 3]>, output: &TriMesh, levels: u32) -> Vec<Failure> {
-    let (base, fine) = (component_counts(base), component_counts(output.faces()));
+    let (base, fine) = (component_counts::of_faces(base), component_counts::of_faces(output.faces()));
     if base.len() != fine.len() {
         return vec![Failure::ComponentCount { base: base.len(), mesh: fine.len() }];
     }

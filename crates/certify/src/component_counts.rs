@@ -3,7 +3,7 @@
 use crate::edges::Edges;
 use crate::topology::n_vertices;
 use crate::union_find::UnionFind;
-use mesh_core::{FaceId, Id, IdVec, VertexId};
+use mesh_core::{FaceId, Id, IdVec, TriMesh, VertexId};
 
 /// Counts of one component.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,8 +41,13 @@ impl ComponentCounts {
     }
 }
 
-/// Counts every component, in the order of their first faces.
-pub fn component_counts(faces: &IdVec<FaceId, [VertexId; 3]>) -> Vec<ComponentCounts> {
+/// Counts every component of a mesh, in the order of their first faces.
+pub fn component_counts(mesh: &TriMesh) -> Vec<ComponentCounts> {
+    of_faces(mesh.faces())
+}
+
+/// The same of faces alone.
+pub(crate) fn of_faces(faces: &IdVec<FaceId, [VertexId; 3]>) -> Vec<ComponentCounts> {
     let mut sets = UnionFind::new(n_vertices(faces));
     for [a, b, c] in faces {
         sets.join(a.index(), b.index());
@@ -81,7 +86,7 @@ mod tests {
         let three_fans =
             mesh(&[[0.; 3], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [-1., 1., 0.]], &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
         let base = joined(&joined(&cube(), &square()), &three_fans);
-        let counted = component_counts(base.faces());
+        let counted = component_counts(&base);
         assert_eq!(
             counted.iter().map(|c| (c.vertices, c.euler(), c.border_edges)).collect::<Vec<_>>(),
             [(8, 2, 0), (4, 1, 4), (5, 1, 5)]
@@ -89,7 +94,7 @@ mod tests {
         let mut fine = base.clone();
         for n in 0..4 {
             let expected: Vec<_> = counted.iter().map(|c| c.subdivided(n)).collect();
-            assert_eq!(component_counts(fine.faces()), expected, "level {n}");
+            assert_eq!(component_counts(&fine), expected, "level {n}");
             fine = subdivide(&fine);
         }
     }

@@ -6,7 +6,7 @@
 
 use crate::edges::{Edges, Side};
 use crate::topology::n_vertices;
-use mesh_core::{FaceId, Id, IdVec, VertexId};
+use mesh_core::{FaceId, Id, IdVec, TriMesh, VertexId};
 
 type Faces = IdVec<FaceId, [VertexId; 3]>;
 
@@ -84,8 +84,12 @@ impl Hierarchy {
     }
 }
 
-/// Recovers the base mesh of faces that are `levels` subdivisions of one.
-pub fn connectivity(faces: &Faces, levels: u32) -> Result<Hierarchy, ConnectivityError> {
+/// Recovers the base mesh of a mesh whose faces are `levels` subdivisions of it.
+pub fn connectivity(mesh: &TriMesh, levels: u32) -> Result<Hierarchy, ConnectivityError> {
+    of_faces(mesh.faces(), levels)
+}
+
+fn of_faces(faces: &Faces, levels: u32) -> Result<Hierarchy, ConnectivityError> {
     let mut counts = vec![LevelCounts { vertices: n_vertices(faces), faces: faces.len() }];
     let mut fine = faces.clone();
     for level in (0..levels).rev() {
@@ -125,7 +129,7 @@ fn check_midpoints(parents: &Faces, midpoints: &Faces, level: u32) -> Result<(),
     let mut taken = vec![false; n_edges];
     for sides in edges.iter() {
         let (face, ends) = (sides[0].face, sides[0].ends);
-        let midpoint = |side: &Side| midpoints[side.face][side.corner];
+        let midpoint = |side: &Side| midpoints[side.face][side.corner()];
         let vertex = midpoint(&sides[0]);
         if let Some(other) = sides.iter().find(|side| midpoint(side) != vertex) {
             return Err(ConnectivityError::TwoMidpoints { level, faces: [face, other.face], ends });
@@ -152,25 +156,25 @@ mod tests {
     fn refused(change: impl FnOnce(&mut [[VertexId; 3]])) -> ConnectivityError {
         let mut faces = fine();
         change(faces.as_mut_slice());
-        connectivity(&faces, 2).unwrap_err()
+        of_faces(&faces, 2).unwrap_err()
     }
 
     #[test]
     fn levels_are_recovered() {
-        let hierarchy = connectivity(&fine(), 2).unwrap();
+        let hierarchy = of_faces(&fine(), 2).unwrap();
         assert_eq!(&hierarchy.base_faces, icosahedron().faces());
         let counts: Vec<_> = hierarchy.levels.iter().map(|l| (l.vertices, l.faces)).collect();
         assert_eq!(counts, [(12, 20), (42, 80), (162, 320)]);
         assert_eq!(hierarchy.depth(), 2);
-        assert_eq!(connectivity(&fine(), 0).unwrap().base().faces, 320);
+        assert_eq!(of_faces(&fine(), 0).unwrap().base().faces, 320);
     }
 
     #[test]
     fn more_levels_than_there_are_end_in_an_error() {
-        assert_eq!(connectivity(&fine(), 3).unwrap_err(), ConnectivityError::Children { level: 0, face: FaceId(0) });
+        assert_eq!(of_faces(&fine(), 3).unwrap_err(), ConnectivityError::Children { level: 0, face: FaceId(0) });
         let three_faces: Faces = [[0, 1, 2], [0, 2, 3], [0, 3, 1]].map(|f| f.map(VertexId)).into_iter().collect();
-        assert_eq!(connectivity(&three_faces, 1).unwrap_err(), ConnectivityError::FaceCount { level: 0, faces: 3 });
-        assert!(connectivity(&Faces::new(), 1).is_err());
+        assert_eq!(of_faces(&three_faces, 1).unwrap_err(), ConnectivityError::FaceCount { level: 0, faces: 3 });
+        assert!(of_faces(&Faces::new(), 1).is_err());
     }
 
     #[test]

@@ -85,7 +85,7 @@ fn dihedral(mesh: &TriMesh, sides: &[Side]) -> Option<f64> {
 /// Distances from points to the nearest segment over `unit`; `None` without segments.
 fn distances(points: &[DVec3], segments: &[[DVec3; 2]], unit: f64) -> Option<Vec<f64>> {
     let index = segment_index(segments)?;
-    index.closest_of_each(points).into_iter().map(|c| c.map(|c| c.distance / unit)).collect()
+    Some(index.distances(points).into_iter().map(|d| d / unit).collect())
 }
 
 /// Segments as triangles without area, which a surface index takes as what they are.

@@ -50,14 +50,10 @@ impl Distance {
 
 /// Distances from one surface to another, over `unit`: from `samples` of it, and for the greatest one from its `vertices` too.
 pub(crate) fn one_way(samples: &[DVec3], vertices: &[DVec3], to: &SurfaceIndex, unit: f64) -> Stats {
-    let mut stats = Stats::of(&distances(samples, to, unit));
-    let at_vertices = Stats::of(&distances(vertices, to, unit));
+    let of = |points: &[DVec3]| Stats::of(&to.distances(points).into_iter().map(|d| d / unit).collect::<Vec<_>>());
+    let (mut stats, at_vertices) = (of(samples), of(vertices));
     stats.max = stats.max.max(at_vertices.max);
     stats
-}
-
-fn distances(points: &[DVec3], to: &SurfaceIndex, unit: f64) -> Vec<f64> {
-    to.closest_of_each(points).into_iter().map(|c| c.map_or(f64::INFINITY, |c| c.distance / unit)).collect()
 }
 
 #[cfg(test)]

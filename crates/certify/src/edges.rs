@@ -1,6 +1,7 @@
 //! The edges of any faces, manifold or not: the one connectivity that the checks here stand on.
 
 use mesh_core::{FaceId, IdVec, VertexId};
+use rayon::prelude::*;
 
 /// One face's side of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -9,17 +10,21 @@ pub(crate) struct Side {
     pub(crate) ends: [VertexId; 2],
     /// The face.
     pub(crate) face: FaceId,
-    /// The corner of the face that the side starts at.
-    pub(crate) corner: usize,
+    corner: u8,
     /// Whether the face runs from the lower to the higher end.
     pub(crate) forward: bool,
 }
 
 impl Side {
+    /// The corner of the face that the side starts at.
+    pub(crate) fn corner(&self) -> usize {
+        self.corner.into()
+    }
+
     /// The corners of the face at the lower and at the higher end.
     pub(crate) fn corners(&self) -> [usize; 2] {
-        let next = (self.corner + 1) % 3;
-        if self.forward { [self.corner, next] } else { [next, self.corner] }
+        let (corner, next) = (self.corner(), (self.corner() + 1) % 3);
+        if self.forward { [corner, next] } else { [next, corner] }
     }
 }
 
@@ -34,12 +39,11 @@ impl Edges {
     pub(crate) fn of(faces: &IdVec<FaceId, [VertexId; 3]>) -> Self {
         let mut sides = Vec::with_capacity(3 * faces.len());
         for (face, v) in faces.enumerate() {
-            for c in 0..3 {
-                let (a, b) = (v[c], v[(c + 1) % 3]);
-                sides.push(Side { ends: [a.min(b), a.max(b)], face, corner: c, forward: a < b });
+            for (corner, [a, b]) in (0..).zip([[v[0], v[1]], [v[1], v[2]], [v[2], v[0]]]) {
+                sides.push(Side { ends: [a.min(b), a.max(b)], face, corner, forward: a < b });
             }
         }
-        sides.sort_unstable();
+        sides.par_sort_unstable();
         Self { sides }
     }
 

@@ -3,28 +3,28 @@
 
 use crate::apart::Triangle;
 use crate::triangle_pair::{meet_beyond_corner, meet_beyond_edge, triangles_meet};
-use crate::weld::first_at_position;
+use crate::weld::Welded;
 use mesh_core::{FaceId, IdVec, SurfaceIndex, TriMesh, VertexId, exact};
 
 /// The faces of a mesh that intersect others, in rising order. Corners at the same position are the same; faces that are exactly
 /// degenerate are left out.
 pub fn self_intersecting(mesh: &TriMesh) -> Vec<FaceId> {
-    among(mesh, &SurfaceIndex::new(mesh))
+    among(mesh, &Welded::of(mesh), &SurfaceIndex::new(mesh))
 }
 
-/// The same with the index of the mesh at hand.
-pub(crate) fn among(mesh: &TriMesh, index: &SurfaceIndex) -> Vec<FaceId> {
-    let first = first_at_position(mesh);
-    let corners: IdVec<FaceId, [VertexId; 3]> = mesh.faces().iter().map(|f| f.map(|v| first[v])).collect();
-    let degenerate: IdVec<FaceId, bool> = corners
+/// The same with the welded mesh and the index at hand.
+pub(crate) fn among(mesh: &TriMesh, welded: &Welded, index: &SurfaceIndex) -> Vec<FaceId> {
+    let degenerate: IdVec<FaceId, bool> = mesh
+        .faces()
         .ids()
         .map(|f| {
             let [a, b, c] = mesh.triangle(f);
             exact::collinear(a, b, c)
         })
         .collect();
+    // The first partner is enough: in a crumpled surface every face meets thousands.
     index.faces_that_meet(|faces, triangles| {
-        !faces.iter().any(|&f| degenerate[f]) && intersect(faces.map(|f| corners[f]), triangles)
+        !faces.iter().any(|&f| degenerate[f]) && intersect(faces.map(|f| welded.first(mesh.face(f))), triangles)
     })
 }
 

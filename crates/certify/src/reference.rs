@@ -69,7 +69,7 @@ impl Reference {
 
     /// The faces of the mesh that intersect others, in rising order (see [`crate::self_intersecting`]).
     pub fn self_intersecting(&self) -> &[FaceId] {
-        self.self_intersecting.get_or_init(|| intersections::among(&self.mesh, &self.index))
+        self.self_intersecting.get_or_init(|| intersections::among(&self.mesh, &self.welded, &self.index))
     }
 
     /// Every position of the mesh once.

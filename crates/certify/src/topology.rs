@@ -29,9 +29,9 @@ pub struct TopologyCounts {
 }
 
 impl TopologyCounts {
-    /// Counts.
-    pub fn of(faces: &IdVec<FaceId, [VertexId; 3]>) -> Self {
-        Self::with_edges(faces, &Edges::of(faces))
+    /// Counts a mesh as its indices say.
+    pub fn of(mesh: &TriMesh) -> Self {
+        Self::with_edges(mesh.faces(), &Edges::of(mesh.faces()))
     }
 
     fn with_edges(faces: &IdVec<FaceId, [VertexId; 3]>, edges: &Edges) -> Self {
@@ -83,7 +83,7 @@ impl Topologies {
     pub(crate) fn of(mesh: &TriMesh, welded: &Welded) -> Self {
         let by_position = TopologyCounts::with_edges(welded.mesh().faces(), welded.edges());
         // Without vertices at the same position the weld has only numbered them anew, which no count depends on.
-        let indexed = if welded.merged() { TopologyCounts::of(mesh.faces()) } else { by_position };
+        let indexed = if welded.merged() { TopologyCounts::of(mesh) } else { by_position };
         Self { indexed, welded: by_position }
     }
 }
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     fn counts(faces: &[[u32; 3]]) -> TopologyCounts {
-        TopologyCounts::of(&faces.iter().map(|f| f.map(VertexId)).collect())
+        TopologyCounts::of(&TriMesh::from_slices(&[[0.0; 3]; 9], faces).unwrap())
     }
 
     #[test]

@@ -10,15 +10,16 @@ use rustc_hash::FxHashMap;
 pub(crate) struct Welded {
     mesh: TriMesh,
     edges: Edges,
-    merged: bool,
+    /// For every vertex of the original the first one at its position; `None` where none share one.
+    first: Option<IdVec<VertexId, VertexId>>,
 }
 
 impl Welded {
     pub(crate) fn of(mesh: &TriMesh) -> Self {
         let first = first_at_position(mesh);
-        let merged = first.enumerate().any(|(v, &first)| first != v);
+        let is_merged = first.enumerate().any(|(v, &first)| first != v);
         let mesh = weld_by(mesh, &first);
-        Self { edges: Edges::of(mesh.faces()), mesh, merged }
+        Self { edges: Edges::of(mesh.faces()), mesh, first: is_merged.then_some(first) }
     }
 
     /// The welded mesh.
@@ -33,13 +34,19 @@ impl Welded {
 
     /// Whether vertices at the same position were made one.
     pub(crate) fn merged(&self) -> bool {
-        self.merged
+        self.first.is_some()
+    }
+
+    /// The first vertex of the original at the position of each of these.
+    pub(crate) fn first(&self, vertices: [VertexId; 3]) -> [VertexId; 3] {
+        self.first.as_ref().map_or(vertices, |first| vertices.map(|v| first[v]))
     }
 }
 
 /// For every vertex the first one at its position.
-pub(crate) fn first_at_position(mesh: &TriMesh) -> IdVec<VertexId, VertexId> {
+fn first_at_position(mesh: &TriMesh) -> IdVec<VertexId, VertexId> {
     let mut at: FxHashMap<[u64; 3], VertexId> = FxHashMap::default();
+    at.reserve(mesh.n_vertices());
     mesh.positions().enumerate().map(|(v, &p)| *at.entry(bits(p)).or_insert(v)).collect()
 }
 

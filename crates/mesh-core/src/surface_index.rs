@@ -22,7 +22,7 @@ const BEHIND: f64 = 1e-12;
 /// figure of the judge that our certificate must agree with).
 pub const SHEET_DISTANCE: f64 = 1e-4;
 
-/// Closest points to so many points are looked for in turn by one thread.
+/// Closest points to so many points at least are looked for in turn by one thread.
 const POINTS_IN_TURN: usize = 256;
 /// Distances from boxes are compared in f32. Inside this distance from the middle of the surface, as a share of the unit frame, its
 /// rounding is less than the padding of the boxes, but for the share [`ROUNDING`] of the distance; farther away it is less than the
@@ -147,18 +147,22 @@ impl SurfaceIndex {
     /// The closest points to some points, the same as [`Self::closest`] has them. Faster where points that follow each other are
     /// near each other: the search for one starts with what the one before it found.
     pub fn closest_of_each(&self, points: &[DVec3]) -> Vec<Option<Closest>> {
-        let found = points.par_chunks(POINTS_IN_TURN).map(|points| self.closest_in_turn(points));
-        found.flatten_iter().collect()
+        self.of_each(points, |closest| closest)
     }
 
-    fn closest_in_turn(&self, points: &[DVec3]) -> Vec<Option<Closest>> {
-        let mut before = None;
-        let mut closest = |&point: &DVec3| {
-            let (closest, leaf) = self.search(point, f64::INFINITY, before, |_| true)?;
-            before = Some(leaf);
-            Some(closest)
+    /// The distances of some points from the surface, as [`Self::closest_of_each`] finds them; infinite where there is none.
+    pub fn distances(&self, points: &[DVec3]) -> Vec<f64> {
+        self.of_each(points, |closest| closest.map_or(f64::INFINITY, |closest| closest.distance))
+    }
+
+    fn of_each<'a, T: Send>(&'a self, points: &[DVec3], of: impl Fn(Option<Closest>) -> T + Sync) -> Vec<T> {
+        let start = || None;
+        let next = |before: &mut Option<&'a Leaf>, &point: &DVec3| {
+            let found = self.search(point, f64::INFINITY, *before, |_| true);
+            *before = found.map(|(_, leaf)| leaf).or(*before);
+            of(found.map(|(closest, _)| closest))
         };
-        points.iter().map(&mut closest).collect()
+        points.par_iter().with_min_len(POINTS_IN_TURN).map_init(start, next).collect()
     }
 
     /// The faces for which something holds together with some other face, in rising order. It is asked of two faces whose boxes
@@ -249,7 +253,8 @@ impl<'a, Keep: Fn(&Leaf) -> bool> Query<'a> for ClosestQuery<'a, Keep> {
     }
 
     fn visit(&mut self, leaf: &'a Leaf) {
-        if !(self.keep)(leaf) {
+        let is_best = self.best.is_some_and(|(_, best)| std::ptr::eq(best, leaf));
+        if is_best || !(self.keep)(leaf) {
             return;
         }
         let barycentric = closest_on_triangle(self.point, leaf.triangle);

@@ -29,6 +29,8 @@ fn brute_hit(mesh: &TriMesh, faces: &[FaceId], line: &Line, on_ray: f64) -> Opti
 
 fn check_closest(mesh: &TriMesh, faces: &[FaceId], points: &[DVec3]) {
     let index = SurfaceIndex::of_faces(mesh, faces.iter().copied());
+    let distances = points.iter().map(|&p| brute_closest(mesh, faces, p).map_or(f64::INFINITY, |c| c.distance));
+    assert_eq!(index.distances(points), distances.collect::<Vec<_>>());
     assert_eq!(index.closest_of_each(points), points.iter().map(|&p| brute_closest(mesh, faces, p)).collect::<Vec<_>>());
     for &p in points {
         assert_eq!(index.closest(p), brute_closest(mesh, faces, p));
