@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn a_cube_with_one_side_moved_keeps_the_creases_of_the_other() {
-        // Raised, the four creases at z = 1 are lost but for their ends; lowered, they are and half of the upright ones but for
-        // what is within reach.
+        // Raised to z = 2, the cube has no crease at z = 1 any more: of the four creases there only what is within reach of the
+        // upright creases is covered. Lowered to z = 1/2, the upper half of the four upright creases is lost as well.
         let reach = COVER_DISTANCE * 3f64.sqrt();
         let raised = cover(&cube(), &moved(&cube(), |p| p * DVec3::new(1.0, 1.0, 2.0))).unwrap();
         assert!((raised.share - (8.0 + 8.0 * reach) / 12.0).abs() < 1e-4, "{}", raised.share);

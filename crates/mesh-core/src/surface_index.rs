@@ -22,13 +22,16 @@ const BEHIND: f64 = 1e-12;
 /// figure of the judge that our certificate must agree with).
 pub const SHEET_DISTANCE: f64 = 1e-4;
 
-/// Closest points to so many points at least are looked for in turn by one thread.
+/// One thread looks for the closest points to so many points at least, one after the other. More would leave threads idle on small
+/// jobs; fewer would start more searches without the point before.
 const POINTS_IN_TURN: usize = 256;
-/// Distances from boxes are compared in f32. Inside this distance from the middle of the surface, as a share of the unit frame, its
-/// rounding is less than the padding of the boxes, but for the share [`ROUNDING`] of the distance; farther away it is less than the
-/// share [`FAR_ROUNDING`] of that distance.
+/// Distances from boxes are compared in f32. For points within this distance from the middle of the surface, in the unit frame, the
+/// rounding of coordinates is less than the padding of the boxes, and needs no further allowance.
 const NEAR: f64 = 4.0;
+/// Allowance for the rounding of the distances themselves, a share of them: f32 rounds by 6e-8. Greater only opens more boxes.
 const ROUNDING: f64 = 1e-6;
+/// Allowance for the rounding of coordinates of points that are not [`NEAR`], as a share of their distance from the middle: three
+/// roundings of 6e-8. Greater only opens more boxes.
 const FAR_ROUNDING: f64 = 1e-6;
 
 /// The point of a surface that is closest to a query point.
@@ -120,8 +123,7 @@ impl SurfaceIndex {
             return false;
         }
         let reach = nearest.distance + SHEET_DISTANCE * self.tree.bounds.map_or(0.0, |bounds| bounds.diagonal());
-        let other_sheet = self.search_closest(point, f64::INFINITY, |leaf| leaf.normal().dot(normal) > 0.0);
-        other_sheet.is_none_or(|sheet| sheet.distance > reach)
+        self.search(point, reach, None, |leaf| leaf.normal().dot(normal) > 0.0).is_none()
     }
 
     /// Whether the face nearest to `point` faces against `normal` (of any length), whatever other sheets are in the same place.

@@ -41,7 +41,7 @@ pub enum TopologyError {
     },
 }
 
-/// Twins, edges and fans of an oriented manifold.
+/// Twins, edges and fans of an oriented manifold. Like the index of a slice, an id that is asked for must be one of these faces.
 #[derive(Clone, Debug)]
 pub struct Topology {
     faces: IdVec<FaceId, [VertexId; 3]>,

@@ -80,7 +80,8 @@ fn check_finite(positions: &[DVec3]) -> Result<(), MeshError> {
 
 /// A triangle mesh: positions and faces whose indices are in range and distinct, all coordinates finite.
 ///
-/// Manifoldness is not part of the promise: [`crate::Topology::new`] checks that.
+/// Manifoldness is not part of the promise: [`crate::Topology::new`] checks that. Like the index of a slice, an id that is asked for
+/// must be one of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriMesh {
     positions: IdVec<VertexId, DVec3>,
