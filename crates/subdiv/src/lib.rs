@@ -4,6 +4,8 @@
 //! and the vertices of a level are a prefix of those of the next. A midpoint of an edge on an arc is on that arc, of any other edge
 //! in the sheet of its face (two end points do not decide: two corners may be joined across a sheet).
 //!
+//! [`carried_over`] brings a domain, its vertices anywhere on the surface, to its base mesh with a few more vertices.
+//!
 //! ```
 //! use mesh_core::TriMesh;
 //! use region_map::{Domain, Surface};
@@ -20,8 +22,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod bisect;
+mod carry;
+mod grid;
+mod matching;
 mod subdivide;
 
-pub use bisect::{Bisected, Faces, Middle, bisected};
+pub use carry::{Carried, carried_over};
 pub use subdivide::{SubdivDomain, SubdivError, subdivide};

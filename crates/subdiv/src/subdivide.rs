@@ -31,7 +31,7 @@ pub enum SubdivError {
     /// The faces of the base mesh are not an oriented manifold.
     #[error("the base mesh is not an oriented manifold: {0}")]
     NotManifold(#[from] mesh_core::TopologyError),
-    /// The mesh, the topology and the region map of the base are not of the same size.
+    /// The mesh, the topology and the region map of a domain are not of the same size, or don't fit the surface.
     #[error(transparent)]
     Region(#[from] RegionMapError),
     /// Midpoints of coordinates so large that their sum is not finite.
