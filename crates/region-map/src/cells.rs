@@ -4,7 +4,7 @@ use crate::chain::{Chain, spokes, trace_chains};
 use crate::network::{both_sides, on_edge, segment};
 use crate::{ArcSpan, Network, PatchId, Segmentation, Surface};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, HalfedgeId, Id as _, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
+use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, define_id};
 use rustc_hash::FxHashMap;
 
 define_id! {
@@ -59,7 +59,7 @@ pub struct CellPatch {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum CellError {
     /// The segmentation is of another mesh.
-    #[error("the segmentation has another number of faces than the surface, or a patch beyond its own number of patches")]
+    #[error("the segmentation is of another mesh, or its number of patches is wrong")]
     OtherMesh,
     /// The border of a patch is not one cycle of distinct vertices: the patch is not a disk.
     #[error("patch {0} is not a disk with a simple border")]
@@ -87,8 +87,7 @@ impl Cells {
     /// Traces the cells of a segmentation and checks that they are disks which the network bounds.
     pub fn trace(surface: &Surface, segmentation: &Segmentation) -> Result<Self, CellError> {
         let (mesh, topology, network) = (surface.mesh(), surface.topology(), surface.network());
-        let patches = &segmentation.patch_of_face;
-        if patches.len() != mesh.n_faces() || patches.iter().any(|p| p.index() >= segmentation.n_patches) {
+        if !segmentation.fits(mesh) {
             return Err(CellError::OtherMesh);
         }
         let patch = |h: HalfedgeId| segmentation.patch_of_face[h.face()];

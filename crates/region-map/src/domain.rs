@@ -1,7 +1,8 @@
 //! [`Domain`]: a mesh over a surface, as it goes from stage to stage.
 
 use crate::{Network, RegionMap, RegionMapError, Surface};
-use mesh_core::{MeshError, Topology, TopologyError, TriMesh};
+use glam::DVec3;
+use mesh_core::{Id as _, MeshError, SurfacePoint, Topology, TopologyError, TriMesh};
 use std::sync::Arc as Shared;
 
 /// A mesh over a surface: a base mesh, and every level that is subdivided from it.
@@ -44,9 +45,13 @@ impl Domain {
 
     /// The same faces with every vertex at its point of another region map.
     ///
-    /// Fails where the map has another number of vertices, or leads to a coordinate that is not finite.
+    /// Fails where the map has another number of vertices; and with [`MeshError::NotFinite`] where the point of a vertex leads to a
+    /// coordinate that is not finite, or is on a face that the surface does not have.
     pub fn placed(&self, surface: &Surface, region: RegionMap) -> Result<Self, MeshError> {
-        let positions = region.points.iter().map(|p| p.position(surface.mesh())).collect();
+        let n_faces = surface.mesh().n_faces();
+        let position =
+            |p: &SurfacePoint| if p.face.index() < n_faces { p.position(surface.mesh()) } else { DVec3::splat(f64::NAN) };
+        let positions = region.points.iter().map(position).collect();
         Ok(Self { mesh: self.mesh.with_positions(positions)?, topology: self.topology.clone(), region })
     }
 

@@ -70,6 +70,9 @@ pub enum NetworkError {
     /// A minor crease names a vertex that is not there.
     #[error("a minor crease runs through vertex {0}, which is not there")]
     NoSuchVertex(VertexId),
+    /// A table names something that is not there.
+    #[error("the network contradicts itself: {0}")]
+    Contradiction(&'static str),
 }
 
 /// A chain of edges between two corners, or a closed chain without one.
@@ -189,9 +192,7 @@ impl Network {
             ("the topology's list of faces", topology.n_faces(), mesh.n_faces()),
             ("the list of kinds", kinds.len(), topology.n_edges()),
         ])?;
-        if let Some(&v) = minor.iter().flatten().find(|v| v.index() >= mesh.n_vertices()) {
-            return Err(NetworkError::NoSuchVertex(v));
-        }
+        check_minor(&minor, mesh)?;
         let mut corners = IdVec::new();
         let mut corner_of_vertex = IdVec::filled(None, topology.n_vertices());
         for v in mesh.positions().ids() {
@@ -217,8 +218,37 @@ impl Network {
         Ok(Self { corners, arcs, arc_of_edge, corner_of_vertex, sheet_of_face, n_sheets, minor })
     }
 
-    /// Checks that the tables are as long as a mesh and its topology need.
-    pub(crate) fn check_sizes(&self, mesh: &TriMesh, topology: &Topology) -> Result<(), NetworkError> {
+    /// Checks that the tables are as long as a mesh and its topology need, and that all that they name is there.
+    pub(crate) fn check(&self, mesh: &TriMesh, topology: &Topology) -> Result<(), NetworkError> {
+        self.check_sizes(mesh, topology)?;
+        let has_vertex = |v: &VertexId| v.index() < mesh.n_vertices();
+        let has_sheet = |s: &SheetId| s.index() < self.n_sheets;
+        let has_arc = |a: &ArcId| self.arcs.get(*a).is_some();
+        let has_corner = |c: &CornerId| self.corners.get(*c).is_some();
+        let is_whole = |a: &Arc| {
+            let n = a.halfedges.len();
+            n > 0
+                && (a.vertices.len(), a.lengths.len()) == (n + 1, n + 1)
+                && a.vertices.iter().all(has_vertex)
+                && a.halfedges.iter().all(|h| h.face().index() < mesh.n_faces())
+                && a.corners.iter().flatten().all(has_corner)
+                && a.sheets.iter().flatten().all(has_sheet)
+        };
+        let rules = [
+            (self.n_sheets <= mesh.n_faces(), "there are more sheets than faces"),
+            (self.sheet_of_face.iter().all(has_sheet), "a face is in a sheet that is not there"),
+            (self.arc_of_edge.iter().flatten().all(has_arc), "an edge is on an arc that is not there"),
+            (self.corner_of_vertex.iter().flatten().all(has_corner), "a vertex is at a corner that is not there"),
+            (self.corners.iter().all(has_vertex), "a corner is at a vertex that is not there"),
+            (self.arcs.iter().all(is_whole), "an arc has no edge, tables of different lengths, or parts that are not there"),
+        ];
+        match rules.into_iter().find(|(is_kept, _)| !is_kept) {
+            Some((_, what)) => Err(NetworkError::Contradiction(what)),
+            None => check_minor(&self.minor, mesh),
+        }
+    }
+
+    fn check_sizes(&self, mesh: &TriMesh, topology: &Topology) -> Result<(), NetworkError> {
         check_sizes(&[
             ("the topology's list of vertices", topology.n_vertices(), mesh.n_vertices()),
             ("the topology's list of faces", topology.n_faces(), mesh.n_faces()),
@@ -264,6 +294,14 @@ impl Network {
     pub fn crease_lengths(&self, mesh: &TriMesh) -> CreaseLengths {
         let kept = self.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp).map(Arc::length).sum();
         CreaseLengths { kept, minor: self.minor.iter().map(|chain| mesh.chain_length(chain)).sum() }
+    }
+}
+
+/// Checks that minor creases run through vertices that are there.
+fn check_minor(minor: &[Vec<VertexId>], mesh: &TriMesh) -> Result<(), NetworkError> {
+    match minor.iter().flatten().find(|v| v.index() >= mesh.n_vertices()) {
+        Some(&v) => Err(NetworkError::NoSuchVertex(v)),
+        None => Ok(()),
     }
 }
 

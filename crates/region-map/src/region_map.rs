@@ -102,6 +102,8 @@ const SAME_LENGTH: f64 = 1e-9;
 
 impl RegionMap {
     /// The map of a working mesh onto itself: for a mesh that serves as its own base mesh.
+    ///
+    /// The network must be one of this mesh, as that of a `Surface` is; else the map fits neither.
     pub fn identity(topology: &Topology, network: &Network) -> Self {
         let point = |v| {
             topology
@@ -113,13 +115,14 @@ impl RegionMap {
         let sheet = |p: &SurfacePoint| network.sheet_of_face.get(p.face).copied().unwrap_or(SheetId(0));
         let attachments = points.iter().map(|p| Attachment::Sheet(sheet(p))).collect();
         let mut map = Self { attachments, points, sheet_of_face: network.sheet_of_face.clone(), spans: BTreeMap::new() };
-        for (arc, a) in network.arcs.enumerate() {
+        let is_there = |v: VertexId| v.index() < topology.n_vertices();
+        for (arc, a) in network.arcs.enumerate().filter(|(_, a)| a.vertices.iter().all(|&v| is_there(v))) {
             for (v, t) in a.vertices.windows(2).zip(a.lengths.windows(2)) {
                 map.attachments[v[0]] = Attachment::Arc { arc, t: t[0] };
                 map.insert_span(v[0], v[1], ArcSpan { arc, from: t[0], to: t[1] });
             }
         }
-        for (c, &v) in network.corners.enumerate() {
+        for (c, &v) in network.corners.enumerate().filter(|(_, v)| is_there(**v)) {
             map.attachments[v] = Attachment::Corner(c);
         }
         map
@@ -174,7 +177,11 @@ impl RegionMap {
     /// Spans are on edges, and their ends are attached to their arc lengths.
     fn check_spans(&self, domain: &Topology, network: &Network) -> Result<(), RegionMapError> {
         for (&[a, b], span) in &self.spans {
-            domain.find_edge(a, b).ok_or(RegionMapError::NoSuchEdge(a, b))?;
+            // The lower end comes first, so both are there where the higher one is.
+            let is_there = a < b && b.index() < domain.n_vertices() && domain.find_edge(a, b).is_some();
+            if !is_there {
+                return Err(RegionMapError::NoSuchEdge(a, b));
+            }
             for (v, t) in [(a, span.from), (b, span.to)] {
                 if !self.agrees(network, v, span.arc, t) {
                     return Err(RegionMapError::Misattached(v));

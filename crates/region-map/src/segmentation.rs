@@ -1,6 +1,6 @@
 //! Patches of a working mesh.
 
-use mesh_core::{FaceId, IdVec, define_id};
+use mesh_core::{FaceId, Id as _, IdVec, TriMesh, define_id};
 
 define_id! {
     /// A patch of the segmentation.
@@ -18,6 +18,13 @@ pub struct Segmentation {
 }
 
 impl Segmentation {
+    /// True where every face of the mesh has one of the patches, and there are not more patches than faces.
+    pub fn fits(&self, mesh: &TriMesh) -> bool {
+        self.patch_of_face.len() == mesh.n_faces()
+            && self.n_patches <= mesh.n_faces()
+            && self.patch_of_face.iter().all(|p| p.index() < self.n_patches)
+    }
+
     /// The faces of every patch, in the order of their ids.
     pub fn faces_of_patches(&self) -> IdVec<PatchId, Vec<FaceId>> {
         let mut faces = IdVec::filled(Vec::new(), self.n_patches);

@@ -86,7 +86,7 @@ mod tests {
     /// Normals of a mesh whose edges are barriers where they bend by more than 40 degrees or bound.
     fn normals(mesh: &TriMesh) -> (Topology, SheetNormals) {
         let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let network = Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), |_| false, vec![]);
+        let network = Network::trace(mesh, &topology, &ArcKind::by_angle(mesh, &topology, 40.0), |_| false, vec![]).unwrap();
         let normals = SheetNormals::new(mesh, &topology, &network);
         (topology, normals)
     }

@@ -31,6 +31,9 @@ pub enum SurfaceError {
     /// The mesh is not an oriented manifold.
     #[error("the mesh is not an oriented manifold: {0}; clean it first")]
     NotManifold(#[from] TopologyError),
+    /// The topology joins other vertices than the faces of the mesh do.
+    #[error("the topology is not that of the mesh")]
+    OtherTopology,
     /// The network does not fit the mesh.
     #[error(transparent)]
     Network(#[from] NetworkError),
@@ -69,14 +72,17 @@ impl Surface {
 
     /// The surface of a mesh with its topology and a network on it. All three are shared, not copied, where they come shared.
     ///
-    /// Fails where they are of different sizes, or where a vertex has no face.
+    /// Fails where they are of different meshes, where the network names parts that are not there, or where a vertex has no face.
     pub fn new(
         mesh: impl Into<Shared<TriMesh>>,
         topology: impl Into<Shared<Topology>>,
         network: Network,
     ) -> Result<Self, SurfaceError> {
         let (mesh, topology) = (mesh.into(), topology.into());
-        network.check_sizes(&mesh, &topology)?;
+        network.check(&mesh, &topology)?;
+        if topology.faces() != mesh.faces() {
+            return Err(SurfaceError::OtherTopology);
+        }
         if let Some(v) = mesh.positions().ids().find(|&v| topology.fan(v).next().is_none()) {
             return Err(SurfaceError::UnusedVertex(v));
         }
@@ -86,7 +92,7 @@ impl Surface {
 
     /// The same mesh with another network. Fails where that is of another mesh.
     pub fn with_network(&self, network: Network) -> Result<Self, SurfaceError> {
-        network.check_sizes(self.mesh(), self.topology())?;
+        network.check(self.mesh(), self.topology())?;
         Ok(Self::of(self.working.clone(), network, self.interrupt.clone()))
     }
 

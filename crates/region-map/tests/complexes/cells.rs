@@ -3,7 +3,7 @@
 use crate::{crease_network, marked_network, sphere_with_dart, topology};
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec, Topology, TriMesh};
-use region_map::{CellError, Cells, Network, PatchId, Segmentation};
+use region_map::{CellError, Cells, Network, PatchId, Segmentation, Surface};
 
 /// A segmentation by a number for every face.
 fn segmentation(mesh: &TriMesh, patch: impl Fn(FaceId) -> u32) -> Segmentation {
@@ -15,7 +15,7 @@ fn segmentation(mesh: &TriMesh, patch: impl Fn(FaceId) -> u32) -> Segmentation {
 /// Traces, and checks what holds for all cells. Returns also the numbers of corners, arcs and patches.
 fn check(mesh: &TriMesh, network: &Network, segmentation: &Segmentation) -> (Cells, [usize; 3]) {
     let topology = topology(mesh);
-    let cells = Cells::trace(mesh, &topology, network, segmentation).unwrap();
+    let cells = Cells::trace(&surface(mesh, network), segmentation).unwrap();
     let counts = [cells.corners.len(), cells.arcs.len(), cells.patches.len()];
     assert_eq!(counts[0] as i64 - counts[1] as i64 + counts[2] as i64, topology.euler());
     check_borders(&topology, segmentation, &cells);
@@ -61,8 +61,12 @@ fn check_borders(topology: &Topology, segmentation: &Segmentation, cells: &Cells
     }
 }
 
+fn surface(mesh: &TriMesh, network: &Network) -> Surface {
+    Surface::new(mesh.clone(), topology(mesh), network.clone()).unwrap()
+}
+
 fn error(mesh: &TriMesh, network: &Network, segmentation: &Segmentation) -> CellError {
-    Cells::trace(mesh, &topology(mesh), network, segmentation).unwrap_err()
+    Cells::trace(&surface(mesh, network), segmentation).unwrap_err()
 }
 
 /// One patch a sheet.
@@ -206,4 +210,17 @@ fn a_closed_torus_does_not_hide_in_a_disk() {
     let mesh = TriMesh::new(positions, torus.faces().iter().map(|f| f.map(|v| v.0)).chain(shifted).collect()).unwrap();
     let halves = segmentation(&mesh, |f| u32::from(f.0 as usize >= torus.n_faces() && mesh.centroid(f).z > 0.0));
     assert_eq!(error(&mesh, &crease_network(&mesh, &topology(&mesh)), &halves), CellError::NotADisk(PatchId(0)));
+}
+
+#[test]
+fn a_segmentation_of_another_mesh_is_refused() {
+    let cube = fixtures::cube(1);
+    let network = crease_network(&cube, &topology(&cube));
+    let right = sheets(&cube, &network);
+    assert_eq!(check(&cube, &network, &right).1, [8, 12, 6]);
+    let too_many_faces = segmentation(&fixtures::cube(2), |_| 0);
+    let too_few_patches = Segmentation { n_patches: 5, ..right };
+    for other in [too_many_faces, too_few_patches] {
+        assert_eq!(error(&cube, &network, &other), CellError::OtherMesh);
+    }
 }

@@ -3,14 +3,14 @@
 use crate::{crease_network, shapes, topology};
 use glam::DVec3;
 use mesh_core::{FaceId, Id, IdVec, SurfacePoint, Topology, VertexId};
-use region_map::{ArcId, ArcSpan, Attachment, CornerId, Network, RegionMap, RegionMapError, SheetId};
+use region_map::{ArcId, ArcSpan, Attachment, ClassCounts, CornerId, Network, RegionMap, RegionMapError, SheetId};
 
 #[test]
 fn every_mesh_maps_onto_itself() {
     for (name, mesh, topology, network) in shapes() {
         let map = RegionMap::identity(&topology, &network);
         map.check(&topology, &network).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let [corners, on_arcs, inner] = map.class_counts();
+        let ClassCounts { at_corners: corners, on_arcs, in_sheets: inner } = map.class_counts();
         assert_eq!(corners, network.corners.len(), "{name}");
         assert_eq!(on_arcs, network.arcs.iter().map(|a| a.halfedges.len() - usize::from(!a.is_loop())).sum(), "{name}");
         assert_eq!(corners + on_arcs + inner, mesh.n_vertices(), "{name}");
@@ -124,6 +124,21 @@ fn errors_name_what_is_wrong() {
     assert!(matches!(lost, RegionMapError::Misattached(v) if v == on_arc || ends.contains(&v)), "{lost}");
 }
 
+#[test]
+fn spans_between_vertices_that_are_not_there_are_found() {
+    let mesh = fixtures::cube(1);
+    let topology = topology(&mesh);
+    let network = crease_network(&mesh, &topology);
+    let right = RegionMap::identity(&topology, &network);
+    let span = *right.spans.values().next().unwrap();
+    // In rising order, as a map must have them, and not.
+    for ends in [[0, 8], [0, u32::MAX], [8, 9], [1, 0], [0, 0]].map(|e| e.map(VertexId)) {
+        let mut map = right.clone();
+        map.spans.insert(ends, span);
+        assert_eq!(map.check(&topology, &network), Err(RegionMapError::NoSuchEdge(ends[0], ends[1])));
+    }
+}
+
 /// Two vertices that no edge joins.
 fn unjoined(topology: &Topology) -> [VertexId; 2] {
     let far = (1..topology.n_vertices()).map(VertexId::new).find(|&v| topology.find_edge(VertexId(0), v).is_none());
@@ -140,7 +155,7 @@ fn first_inner(map: &RegionMap) -> VertexId {
 fn a_border_must_lie_on_an_arc() {
     let mesh = fixtures::plane();
     let topology = topology(&mesh);
-    let bare = Network::trace(&mesh, &topology, &IdVec::filled(None, topology.n_edges()), |_| false, Vec::new());
+    let bare = Network::trace(&mesh, &topology, &IdVec::filled(None, topology.n_edges()), |_| false, Vec::new()).unwrap();
     let map = RegionMap::identity(&topology, &bare);
     assert!(matches!(map.check(&topology, &bare), Err(RegionMapError::BareBorder(..))));
 }

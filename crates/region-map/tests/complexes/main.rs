@@ -3,7 +3,9 @@
 mod base_map;
 mod cells;
 mod check;
+mod domain;
 mod network;
+mod surface;
 
 use glam::DVec3;
 use mesh_core::{Topology, TriMesh, VertexId};

@@ -2,8 +2,8 @@
 
 use crate::{crease_network, marked_network, shapes, sphere_with_dart, topology};
 use glam::DVec3;
-use mesh_core::{IdVec, Topology, TriMesh};
-use region_map::{ArcKind, Network, SheetId};
+use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
+use region_map::{ArcKind, CreaseLengths, LeastBase, Network, NetworkError, SheetId, spokes};
 
 /// Corners, arcs, loops among the arcs, sheets.
 fn counts(network: &Network) -> [usize; 4] {
@@ -124,10 +124,10 @@ fn borders_and_marked_edges_are_no_crease_length() {
     assert_eq!(sharp.len(), 24);
     kinds[sharp[0]] = Some(ArcKind::Marked);
     kinds[sharp[1]] = None;
-    let network = Network::trace(&mesh, &topology, &kinds, |_| false, vec![topology.ends(sharp[1]).to_vec()]);
-    assert_eq!(network.crease_lengths(&mesh), [11.0, 0.5]);
+    let network = Network::trace(&mesh, &topology, &kinds, |_| false, vec![topology.ends(sharp[1]).to_vec()]).unwrap();
+    assert_eq!(network.crease_lengths(&mesh), CreaseLengths { kept: 11.0, minor: 0.5 });
     let shell = fixtures::shell(8);
-    assert_eq!(traced(&shell).crease_lengths(&shell), [0.0, 0.0]);
+    assert_eq!(traced(&shell).crease_lengths(&shell), CreaseLengths::default());
 }
 
 #[test]
@@ -145,7 +145,10 @@ fn a_corner_on_a_rim_opens_its_loop() {
 
 #[test]
 fn no_base_mesh_is_smaller_than_corners_arcs_and_topology_ask() {
-    let least = |mesh: &TriMesh| traced(mesh).least_base(&topology(mesh));
+    let least = |mesh: &TriMesh| {
+        let LeastBase { vertices, triangles } = traced(mesh).least_base(&topology(mesh));
+        (vertices, triangles)
+    };
     assert_eq!(least(&fixtures::cube(4)), (8, 12));
     assert_eq!(least(&fixtures::l_block(2)), (12, 20));
     // Two rims of three vertices; with borders alone there are the same vertices and fewer triangles.
@@ -185,7 +188,7 @@ fn corners_are_where_kinds_meet_and_where_asked_even_without_arcs() {
         on_equator(e).then_some(if east { ArcKind::Sharp } else { ArcKind::Marked })
     };
     let kinds: IdVec<_, _> = topology.edge_ids().map(kind).collect();
-    let network = Network::trace(&mesh, &topology, &kinds, |v| mesh.position(v).z > 0.999, Vec::new());
+    let network = Network::trace(&mesh, &topology, &kinds, |v| mesh.position(v).z > 0.999, Vec::new()).unwrap();
     assert_eq!(counts(&network), [3, 2, 0, 2]);
     let ring: Vec<_> = network.arcs.iter().map(|a| (a.kind, a.halfedges.len())).collect();
     assert!(ring.contains(&(ArcKind::Sharp, 8)) && ring.contains(&(ArcKind::Marked, 8)));
@@ -200,4 +203,37 @@ fn a_vertex_without_faces_is_no_corner() {
     let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
     let network = marked_network(&mesh, &topology, |_| false, |_| true);
     assert_eq!(counts(&network), [4, 4, 0, 1]);
+}
+
+#[test]
+fn tables_of_another_mesh_are_refused() {
+    let (mesh, other) = (fixtures::cube(1), fixtures::cube(2));
+    let [own, foreign] = [&mesh, &other].map(topology);
+    let none = |n: usize| IdVec::<EdgeId, Option<ArcKind>>::filled(None, n);
+    let error = |topology: &Topology, kinds: &IdVec<EdgeId, Option<ArcKind>>, minor: Vec<Vec<VertexId>>| {
+        Network::trace(&mesh, topology, kinds, |_| false, minor).unwrap_err()
+    };
+    let wrong = |what, found, expected| NetworkError::WrongSize { what, found, expected };
+    assert_eq!(error(&foreign, &none(foreign.n_edges()), vec![]), wrong("the topology's list of vertices", 26, 8));
+    assert_eq!(error(&own, &none(17), vec![]), wrong("the list of kinds", 17, 18));
+    assert_eq!(error(&own, &none(0), vec![]), wrong("the list of kinds", 0, 18));
+    let chain = |v| vec![vec![VertexId(0), VertexId(v)]];
+    assert_eq!(error(&own, &none(18), chain(8)), NetworkError::NoSuchVertex(VertexId(8)));
+    assert_eq!(Network::trace(&mesh, &own, &none(18), |_| false, chain(7)).unwrap().minor, chain(7));
+    // The same vertices in fewer faces.
+    let half = TriMesh::new(mesh.positions().as_slice().to_vec(), mesh.to_soup().triangles[..6].to_vec()).unwrap();
+    assert_eq!(error(&topology(&half), &none(topology(&half).n_edges()), vec![]), wrong("the topology's list of faces", 6, 12));
+}
+
+#[test]
+fn there_is_a_spoke_for_every_edge_at_a_vertex() {
+    for (name, _, topology, _) in shapes() {
+        for v in (0..topology.n_vertices() as u32).map(VertexId) {
+            let edges: Vec<EdgeId> = spokes(&topology, v).map(|h| topology.edge(h)).collect();
+            // In the order of the neighbours round the vertex.
+            let ends = edges.iter().map(|&e| topology.ends(e)).map(|[a, b]| if a == v { b } else { a });
+            assert!(ends.eq(topology.one_ring(v)), "{name} {v}");
+            assert_eq!(edges.len(), topology.valence(v), "{name} {v}");
+        }
+    }
 }
