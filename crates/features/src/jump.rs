@@ -6,6 +6,7 @@
 use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, Topology, TriMesh, vector_area};
 use region_map::Network;
+use rustc_hash::FxHashSet;
 use std::collections::VecDeque;
 
 /// Radius of the region on each side, in base edge lengths.
@@ -39,7 +40,7 @@ impl Jumps<'_> {
         let reach = REACH * self.base_edge_length;
         let (mut near, mut far) = (DVec3::ZERO, DVec3::ZERO);
         let normal = self.mesh.normal(first);
-        let mut seen = vec![first];
+        let mut seen = FxHashSet::from_iter([first]);
         let mut queue = VecDeque::from([first]);
         while let Some(f) = queue.pop_front() {
             let sum = if f == first || self.mesh.centroid(f).distance(middle) <= reach { &mut near } else { &mut far };
@@ -48,8 +49,8 @@ impl Jumps<'_> {
                 let Some(g) = self.topology.twin(h).map(|twin| twin.face()) else { continue };
                 let is_near =
                     self.mesh.centroid(g).distance(middle) <= 2.0 * reach && self.mesh.normal(g).dot(normal) >= MOST_TURN;
-                if is_near && !self.network.is_barrier(self.topology.edge(h)) && seen.len() < MOST_FACES && !seen.contains(&g) {
-                    seen.push(g);
+                let may_enter = is_near && !self.network.is_barrier(self.topology.edge(h)) && seen.len() < MOST_FACES;
+                if may_enter && seen.insert(g) {
                     queue.push_back(g);
                 }
             }

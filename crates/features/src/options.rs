@@ -67,7 +67,7 @@ pub enum FeatureError {
     /// A marked pair of vertices is not joined by an edge.
     #[error("marked vertices {0} and {1} are not joined by an edge of this mesh")]
     NotAnEdge(VertexId, VertexId),
-    /// The topology has other numbers of vertices or faces than the mesh.
+    /// The topology joins other vertices than the faces of the mesh do.
     #[error("the topology is of another mesh")]
     OtherMesh,
     /// The network could not be traced.
@@ -75,8 +75,8 @@ pub enum FeatureError {
     Network(#[from] NetworkError),
 }
 
-/// Checks that a topology is of a mesh, as far as their numbers of vertices and faces tell.
+/// Checks that a topology is that of a mesh.
 pub(crate) fn check_same_mesh(mesh: &TriMesh, topology: &Topology) -> Result<(), FeatureError> {
-    let fits = (topology.n_vertices(), topology.n_faces()) == (mesh.n_vertices(), mesh.n_faces());
-    if fits { Ok(()) } else { Err(FeatureError::OtherMesh) }
+    let is_same = topology.n_vertices() == mesh.n_vertices() && topology.faces() == mesh.faces();
+    if is_same { Ok(()) } else { Err(FeatureError::OtherMesh) }
 }

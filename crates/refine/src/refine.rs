@@ -4,7 +4,7 @@ use crate::contract::contract;
 use crate::draft::Draft;
 use crate::options::{RefineError, RefineOptions};
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, HalfedgeId, Id as _, IdVec, Topology, TriMesh, VertexId};
 use rustc_hash::FxHashSet;
 use std::collections::BinaryHeap;
 
@@ -27,13 +27,17 @@ pub struct Refined {
     pub splits: usize,
 }
 
-/// Refines a mesh. `marked` edges are never flipped.
+/// Refines a mesh. `marked` edges, as pairs of vertices of this mesh, are never flipped.
+///
+/// Fails where an option is out of its range, the topology is of another mesh, or a marked pair is no edge.
 pub fn refine(
     mesh: &TriMesh,
     topology: &Topology,
     marked: &[[VertexId; 2]],
     options: &RefineOptions,
 ) -> Result<Refined, RefineError> {
+    options.check()?;
+    check(mesh, topology, marked)?;
     let contracted = contract(mesh, topology, marked, options)?;
     let (draft, marked, contractions) = match &contracted {
         Some(c) => (Draft::new(&c.mesh, &c.topology, c.source.clone()), &c.marked[..], c.contractions),
@@ -49,8 +53,20 @@ pub fn refine(
     };
     let all: Vec<HalfedgeId> = refiner.draft.halfedges().collect();
     refiner.flip_to_delaunay(all);
-    refiner.halve(options.longest_edge, options.most_faces.unwrap_or(4 * mesh.n_faces() + 200_000));
+    refiner.halve(options.longest_edge, options.most_faces(mesh.n_faces()));
     refiner.finish()
+}
+
+fn check(mesh: &TriMesh, topology: &Topology, marked: &[[VertexId; 2]]) -> Result<(), RefineError> {
+    if topology.n_vertices() != mesh.n_vertices() || topology.faces() != mesh.faces() {
+        return Err(RefineError::OtherMesh);
+    }
+    let is_there = |v: VertexId| v.index() < mesh.n_vertices();
+    let is_edge = |&[a, b]: &[VertexId; 2]| is_there(a) && is_there(b) && topology.find_edge(a, b).is_some();
+    match marked.iter().find(|edge| !is_edge(edge)) {
+        Some(&[a, b]) => Err(RefineError::NotAnEdge(a, b)),
+        None => Ok(()),
+    }
 }
 
 /// Flips must lessen the sum of both opposite angles below pi by this much, so that rounding cannot make them cycle.

@@ -27,6 +27,10 @@ pub struct Budget {
 /// Steps of the bisection: the edge length is then known to 1e-12 of its first bracket.
 const BISECTIONS: usize = 60;
 
+/// The bisection looks between these multiples of the guess by area. A narrower bracket would miss surfaces whose arcs are long for their
+/// area.
+const BRACKET: [f64; 2] = [1e-3, 1e3];
+
 /// Points of a patch that the sizing field is averaged over: its triangles may be as large as the patch.
 const SAMPLES: usize = 256;
 
@@ -45,7 +49,11 @@ pub(crate) fn budget(
     let needed = demand.at(f64::INFINITY).total;
     // eq. 3 for the area in units of the sizing field, of which only ratios matter.
     let guess = equilateral_edge_length(UNIT_TRIANGLE * demand.patches.iter().sum::<f64>(), wanted);
-    let (mut short, mut long) = (guess * 1e-3, guess * 1e3);
+    let [mut short, mut long] = BRACKET.map(|factor| guess * factor);
+    // Thin strips have arcs that are longer still.
+    while long.is_finite() && long > 0.0 && demand.at(long).total > wanted.max(needed) {
+        long *= BRACKET[1];
+    }
     for _ in 0..BISECTIONS {
         let middle = (short * long).sqrt();
         *(if demand.at(middle).total > wanted { &mut short } else { &mut long }) = middle;
@@ -95,13 +103,15 @@ impl Demand {
 
     /// Inner sites of a patch before rounding; may be negative.
     fn exact_inner(&self, budget: &Budget, p: PatchId) -> f64 {
-        let border: usize = self.borders[p].iter().map(|&a| budget.segments[a]).sum();
+        let border = self.borders[p].iter().map(|&a| budget.segments[a]).fold(0, usize::saturating_add);
         let triangles = self.patches[p] / budget.edge_length.powi(2);
         0.5 * (triangles - border as f64 + 2.0)
     }
 
     fn total(&self, budget: &Budget) -> usize {
-        self.corners + budget.segments.iter().map(|k| k - 1).sum::<usize>() + budget.inner.iter().sum::<usize>()
+        // No sum overflows where the edge length is tried that is far too short.
+        let inside = budget.segments.iter().map(|k| k - 1).chain(budget.inner.iter().copied());
+        inside.fold(self.corners, usize::saturating_add)
     }
 
     /// Gives what is missing to the patches that rounding took most from, round and round.

@@ -22,6 +22,7 @@
 mod arc_measure;
 mod budget;
 mod candidates;
+mod farthest;
 mod kd_tree;
 mod lloyd;
 mod options;

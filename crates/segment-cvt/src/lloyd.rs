@@ -1,6 +1,7 @@
 //! Lloyd relaxation of the sites inside one patch (eq. 5, by area), with the border sites fixed.
 
 use crate::candidates::Candidate;
+use crate::farthest::farthest;
 use crate::kd_tree::KdTree;
 use glam::DVec3;
 use mesh_core::SurfacePoint;
@@ -25,25 +26,18 @@ pub(crate) fn relaxed_sites(candidates: &[Candidate], border: &[DVec3], n: usize
     sites.iter().map(|&c| candidates[c].point).collect()
 }
 
-/// The squared distance of every candidate from the nearest border site.
+/// The squared distance of every candidate from the nearest border site, infinite without one.
 fn squared_distances(candidates: &[Candidate], border: &[DVec3]) -> Vec<f64> {
-    let nearest = |c: &Candidate| border.iter().map(|b| b.distance_squared(c.position)).fold(f64::INFINITY, f64::min);
+    let tree = KdTree::new(border.iter().copied());
+    let nearest = |c: &Candidate| {
+        let mut least = f64::INFINITY;
+        tree.search(c.position, least, |b| {
+            least = least.min(border[b].distance_squared(c.position));
+            least
+        });
+        least
+    };
     candidates.iter().map(nearest).collect()
-}
-
-/// Indices of candidates, each the farthest from the border and all before it, in units of the local edge length.
-fn farthest(candidates: &[Candidate], to_border: &[f64], n: usize) -> Vec<usize> {
-    let mut gap: Vec<f64> = candidates.iter().zip(to_border).map(|(c, d)| d * c.weight.sqrt()).collect();
-    let mut sites = Vec::with_capacity(n);
-    for _ in 0..n.min(candidates.len()) {
-        let Some(best) = (0..gap.len()).max_by(|&a, &b| gap[a].total_cmp(&gap[b]).then(b.cmp(&a))) else { break };
-        sites.push(best);
-        let position = candidates[best].position;
-        for (g, c) in gap.iter_mut().zip(candidates) {
-            *g = g.min(c.position.distance_squared(position) * c.weight.sqrt());
-        }
-    }
-    sites
 }
 
 /// One Lloyd step: the candidates nearest to the centroids of the cells, and the energy of the sites that it began with.
@@ -103,6 +97,9 @@ mod tests {
     fn owners_are_those_of_the_full_search() {
         let (candidates, border) = square(3000);
         let to_border = squared_distances(&candidates, &border);
+        for (c, &d) in candidates.iter().zip(&to_border) {
+            assert_eq!(d, border.iter().map(|b| b.distance_squared(c.position)).fold(f64::INFINITY, f64::min));
+        }
         let sites: Vec<DVec3> = farthest(&candidates, &to_border, 40).iter().map(|&c| candidates[c].position).collect();
         let tree = KdTree::new(sites.iter().copied());
         let mut of_border = 0;

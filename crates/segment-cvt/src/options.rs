@@ -3,7 +3,7 @@
 /// How many sites, and how they are relaxed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CvtOptions {
-    /// Wanted number of base vertices, corners included. Default 200.
+    /// Wanted number of base vertices, corners included, at most 1,000,000. Default 200.
     pub base_vertices: usize,
     /// Seed of the first sites; other seeds give other base meshes of the same quality. Default 0.
     pub seed: u64,

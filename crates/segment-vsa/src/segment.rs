@@ -15,6 +15,8 @@ use region_map::{PatchId, Segmentation, Surface};
 const MAX_ROUNDNESS: f64 = 4.0;
 /// The last rounds neither merge nor insert.
 const SETTLING_ROUNDS: usize = 4;
+/// Rounds at most: nobody needs more, and a slip of the keyboard shall not run for ever.
+const MOST_ROUNDS: usize = 1000;
 /// To come down to the patch budget, normals may spread up to this angle, in degrees: less than a hemisphere.
 const BUDGET_SPREAD: f64 = 75.0;
 
@@ -26,7 +28,7 @@ pub struct VsaOptions {
     pub max_angle: f64,
     /// No patch is added beyond this number but for what the disk rule needs. At least 1. Default 32.
     pub max_patches: usize,
-    /// Rounds of Lloyd. Default 10.
+    /// Rounds of Lloyd, 1 to 1000. Default 10.
     pub rounds: usize,
     /// Length of an edge of the base mesh, in the units of the mesh: patches smaller or narrower than one are merged where that is
     /// possible. 0 merges none for its size. Default 0.
@@ -48,9 +50,12 @@ pub enum VsaError {
     /// The bound on the spread is out of range.
     #[error("patch angle {0} must be above 0 and below 90 (degrees)")]
     MaxAngle(f64),
-    /// The number of patches or of rounds is zero.
-    #[error("the number of patches and of rounds must be at least 1")]
+    /// The number of patches is zero.
+    #[error("the number of patches must be at least 1")]
     ZeroCount,
+    /// The number of rounds is out of range.
+    #[error("the number of rounds {0} must be 1 to 1000")]
+    Rounds(usize),
     /// The base edge length is negative or not a number.
     #[error("base edge length {0} must be finite and not negative")]
     BaseEdgeLength(f64),
@@ -101,8 +106,11 @@ fn check(surface: &Measured, options: &VsaOptions) -> Result<(), VsaError> {
     if !(options.max_angle > 0.0 && options.max_angle < 90.0) {
         return Err(VsaError::MaxAngle(options.max_angle));
     }
-    if options.max_patches == 0 || options.rounds == 0 {
+    if options.max_patches == 0 {
         return Err(VsaError::ZeroCount);
+    }
+    if !(1..=MOST_ROUNDS).contains(&options.rounds) {
+        return Err(VsaError::Rounds(options.rounds));
     }
     if !(options.base_edge_length.is_finite() && options.base_edge_length >= 0.0) {
         return Err(VsaError::BaseEdgeLength(options.base_edge_length));

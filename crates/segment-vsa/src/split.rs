@@ -13,7 +13,7 @@ use std::collections::BinaryHeap;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SplitError {
     /// The segmentation is of another mesh.
-    #[error("the segmentation has another number of faces than the surface, or a patch beyond its own number of patches")]
+    #[error("the segmentation is of another mesh, or its number of patches is wrong")]
     OtherMesh,
     /// There is no such patch.
     #[error("patch {0} cannot be split: the segmentation does not have it")]
@@ -55,8 +55,7 @@ pub fn split(surface: &Surface, segmentation: &Segmentation, patches: &[PatchId]
 }
 
 fn check(surface: &Surface, segmentation: &Segmentation, patches: &[PatchId]) -> Result<(), SplitError> {
-    let of_face = &segmentation.patch_of_face;
-    if of_face.len() != surface.mesh().n_faces() || of_face.iter().any(|p| p.index() >= segmentation.n_patches) {
+    if !segmentation.fits(surface.mesh()) {
         return Err(SplitError::OtherMesh);
     }
     match patches.iter().find(|p| p.index() >= segmentation.n_patches) {

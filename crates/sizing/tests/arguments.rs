@@ -1,0 +1,66 @@
+//! Whatever the options are, there is a field of lengths or an error, and no panic.
+
+use mesh_core::TriMesh;
+use proptest::prelude::*;
+use region_map::Surface;
+use sizing::{SizingOptions, sizing};
+
+/// Numbers that nobody means to hand in, and ordinary ones.
+fn odd() -> impl Strategy<Value = f64> {
+    let special = [0.0, -0.0, -1.0, 1.0, 1e-300, 1e300, f64::MAX, f64::MIN_POSITIVE, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+    prop_oneof![prop::sample::select(special.to_vec()), 0.0..200.0f64, -1.0..2.0f64]
+}
+
+/// A unit of length, so that areas and volumes may be no numbers.
+fn unit() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => Just(1.0), 1 => prop::sample::select(vec![1e-200, 1e-160, 1e-80, 1e80, 1e160, 1e300])]
+}
+
+fn shape(which: usize, unit: f64) -> TriMesh {
+    let mesh = match which {
+        0 => fixtures::plane(),
+        1 => fixtures::cube(2),
+        2 => fixtures::cylinder(0.5, 1.0, 8),
+        3 => fixtures::torus(1.0, 0.4, 8, 6),
+        4 => fixtures::cone(1.0, 1.0, 8),
+        _ => fixtures::shell(8),
+    };
+    let scaled = mesh.positions().iter().map(|&p| unit * (p / mesh.diagonal())).collect();
+    mesh.with_positions(scaled).unwrap()
+}
+
+#[test]
+fn options_out_of_range_are_named() {
+    let surface = Surface::smooth(fixtures::cube(1)).unwrap();
+    let message = |options: SizingOptions| sizing(&surface, &options).unwrap_err().to_string();
+    let fine = || SizingOptions::new(1.0);
+    assert_eq!(message(SizingOptions::new(0.0)), "sizing option edge_length is 0, it must be finite and above 0");
+    assert_eq!(message(SizingOptions { turn: -1.0, ..fine() }), "sizing option turn is -1, it must be above 0");
+    assert_eq!(message(SizingOptions { neutral_turn: 0.0, ..fine() }), "sizing option neutral_turn is 0, it must be above 0");
+    assert_eq!(message(SizingOptions { range: 0.9, ..fine() }), "sizing option range is 0.9, it must be finite and at least 1");
+    assert_eq!(message(SizingOptions { least: 1.5, ..fine() }), "sizing option least is 1.5, it must be above 0 and at most 1");
+    assert_eq!(message(SizingOptions { gradation: f64::NAN, ..fine() }), "sizing option gradation is NaN, it must be at least 0");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn nothing_panics(
+        which in 0..6usize,
+        unit in unit(),
+        edge_length in odd(),
+        turn in odd(),
+        neutral_turn in odd(),
+        range in prop_oneof![Just(1.2), odd()],
+        least in prop_oneof![Just(0.5), odd()],
+        gradation in odd(),
+    ) {
+        let surface = Surface::with_creases(shape(which, unit), 40.0).unwrap();
+        let options = SizingOptions { edge_length, turn, neutral_turn, range, least, gradation };
+        if let Ok(field) = sizing(&surface, &options) {
+            prop_assert_eq!(field.relative.len(), surface.mesh().n_vertices());
+            prop_assert!(field.relative.iter().all(|&h| h > 0.0 && h <= range), "{:?}", field);
+        }
+    }
+}
