@@ -7,7 +7,7 @@ use region_map::{ArcSpan, Attachment, Domain, Surface};
 
 /// Which normal a face takes at a corner.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum CornerNormal {
+pub enum CornerNormal {
     /// The vertex' own (inside a sheet), or the one on the left side of its arc.
     Left,
     /// The one on the right side of its arc.

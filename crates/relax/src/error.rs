@@ -33,9 +33,9 @@ pub enum RelaxError {
     /// A domain vertex of one sheet sits on a face of another.
     #[error("vertex {0} sits on a face outside of its sheet; project the domain again inside its sheets")]
     OtherSheet(VertexId),
-    /// The faces are not the children of base faces, four of each in the order of `subdiv`.
-    #[error("the domain is not a base mesh that was subdivided once; subdivide it by one level")]
-    NotSubdivided,
+    /// A base edge length is not above 0, or not finite.
+    #[error("the base edge length is {0}; it must be above 0 and finite")]
+    BaseEdgeLength(f64),
     /// A position is not finite.
     #[error(transparent)]
     Mesh(#[from] MeshError),

@@ -6,8 +6,8 @@ use region_map::{Arc, ArcId, Attachment, Domain, Surface};
 
 /// What a vertex is free to do.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Freedom {
-    /// Nothing: it is at a corner.
+pub enum Freedom {
+    /// Nothing: it is at a corner, or held.
     Fixed,
     /// Slide along its arc between two neighbours.
     Arc(OnArc),
@@ -15,26 +15,30 @@ pub(crate) enum Freedom {
     Sheet,
 }
 
-/// The place of a vertex on its arc.
+/// How a vertex slides along its arc: between two neighbours.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OnArc {
+pub struct OnArc {
     pub(crate) arc: ArcId,
-    pub(crate) behind: ArcNeighbour,
-    pub(crate) ahead: ArcNeighbour,
-    /// The gap to a neighbour does not get longer than this: a chord across a hole would be cheap for its triangles, and far from
-    /// the arc.
-    pub(crate) longest_gap: f64,
+    /// The neighbour towards the start of the arc.
+    pub behind: ArcNeighbour,
+    /// The one towards its end.
+    pub ahead: ArcNeighbour,
+    /// The gap to a neighbour, an arc length, does not get longer than this: a chord across a hole would be cheap for its triangles, and
+    /// far from the arc.
+    pub longest_gap: f64,
     /// Nor shorter than this: vertices that fall into one never come apart again.
-    pub(crate) shortest_gap: f64,
+    pub shortest_gap: f64,
 }
 
 /// A neighbour on an arc: in the arc lengths of the vertex between, it is at its own arc length plus `shift`.
 ///
 /// The shift is a multiple of the length on a loop, and else 0. A corner has the arc length 0 and its place as shift.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ArcNeighbour {
-    pub(crate) vertex: VertexId,
-    pub(crate) shift: f64,
+pub struct ArcNeighbour {
+    /// The vertex.
+    pub vertex: VertexId,
+    /// What its arc length is short of, in the arc lengths of the vertex between.
+    pub shift: f64,
 }
 
 /// Gaps between neighbours on an arc get longer than at the start by at most this factor.

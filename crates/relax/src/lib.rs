@@ -2,7 +2,13 @@
 //!
 //! [`relax`] moves the vertices of a domain mesh: corners stay, vertices on arcs slide along them, all others walk inside their
 //! sheet. First comes the paper's relaxation (eqs. 7 to 9, corrected), then Newton's method on a shape energy over signed areas,
-//! which also untangles what is folded. [`reconnect`] searches edits of a base mesh by the same energy.
+//! which also untangles what is folded.
+//!
+//! - [`relax_holding`] leaves some vertices where they are;
+//! - [`relax_keeping`] holds those without which a limb or a pit of the input would be lost;
+//! - [`relax_around`] relaxes the places of some faces alone;
+//! - [`inverted`] tells which faces are turned over;
+//! - [`parts`] is for crates that try edits of a domain and compare its energy before and after.
 //!
 //! ```
 //! use mesh_core::TriMesh;
@@ -23,23 +29,25 @@ mod corner_normal;
 mod energy;
 mod error;
 mod freedom;
+mod keeping;
 mod mend;
 mod movable_domain;
 mod options;
 mod part;
+pub mod parts;
 mod placed_vertex;
 mod placement;
 mod places;
 mod quadric;
 mod quality;
-mod reconnect;
 mod relax;
 mod shape;
 mod system;
 mod weights;
+mod whole;
 
 pub use error::RelaxError;
+pub use keeping::relax_keeping;
 pub use options::{QuadricOptions, RelaxOptions, ShapeOptions, Weights};
 pub use quality::Quality;
-pub use reconnect::{ReconnectOptions, Reconnected, reconnect};
 pub use relax::{RelaxReport, Relaxed, inverted, relax, relax_around, relax_holding};

@@ -5,15 +5,37 @@ use crate::movable_domain::MovableDomain;
 use glam::DVec3;
 use mesh_core::{HalfedgeId, SurfacePoint, walk};
 
-/// The place of one vertex.
+/// The place of a vertex on the surface.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PlacedVertex {
+pub struct PlacedVertex {
     pub(crate) point: SurfacePoint,
     /// Arc length on the arc, not wrapped around on a loop; 0 off the arcs.
     pub(crate) t: f64,
     pub(crate) position: DVec3,
     /// The surface's unit normals left and right of the arc; twice the same off the arcs.
     pub(crate) normals: [DVec3; 2],
+}
+
+impl PlacedVertex {
+    /// The point of the working mesh.
+    pub fn point(&self) -> SurfacePoint {
+        self.point
+    }
+
+    /// Position in space.
+    pub fn position(&self) -> DVec3 {
+        self.position
+    }
+
+    /// The arc length on the arc, not wrapped around on a loop: it may be below 0 or beyond the loop's length. 0 off the arcs.
+    pub fn arc_length(&self) -> f64 {
+        self.t
+    }
+
+    /// The unit normals of the surface left and right of the arc; twice the same one off the arcs.
+    pub fn normals(&self) -> [DVec3; 2] {
+        self.normals
+    }
 }
 
 impl MovableDomain<'_> {
@@ -44,9 +66,12 @@ impl MovableDomain<'_> {
         }
     }
 
-    /// The place after a walk over its sheet.
+    /// The place after a walk over its sheet. One of another surface, where this has no such face, stays.
     pub(crate) fn walked(&self, placed: &PlacedVertex, displacement: DVec3) -> PlacedVertex {
         let Self { surface, longest_move, .. } = self;
+        if surface.mesh().faces().get(placed.point.face).is_none() {
+            return *placed;
+        }
         let displacement = displacement.clamp_length_max(*longest_move);
         let may_cross = |e| !surface.network().is_barrier(e);
         self.placed_on_sheet(walk(surface.mesh(), surface.topology(), placed.point, displacement, may_cross).end)

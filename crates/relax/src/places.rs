@@ -6,7 +6,7 @@ use crate::best_shape::best_shape;
 use crate::freedom::Freedom;
 use crate::mend::Mender;
 use crate::movable_domain::MovableDomain;
-use crate::part::Part;
+use crate::part::{Part, PartFace};
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
 use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
@@ -28,10 +28,11 @@ pub(crate) fn relax_places(
 ) -> usize {
     let domain = mender.domain;
     let mut steps = 0;
-    let mut left: Vec<Place<'_>> = domain.topology.clusters(faces).iter().filter_map(|f| Place::new(domain, f, edges)).collect();
+    let clusters = domain.topology.clusters(faces);
+    let mut left: Vec<Place<'_>> = clusters.iter().filter_map(|f| Place::new(domain, f, edges, targets)).collect();
     while !left.is_empty() {
         let (apart, others) = apart(left);
-        let relaxed: Vec<_> = apart.par_iter().map(|place| place.relaxed(mender, targets, placement, options)).collect();
+        let relaxed: Vec<_> = apart.par_iter().map(|place| place.relaxed(mender, placement, options)).collect();
         for (moved, steps_there) in relaxed {
             moved.into_iter().for_each(|(v, placed)| placement.move_to(v, placed));
             steps += steps_there;
@@ -42,37 +43,29 @@ pub(crate) fn relax_places(
 }
 
 /// A fold and what is around it.
-struct Place<'a> {
-    faces: Vec<FaceId>,
-    part: Part<'a>,
-}
+struct Place<'a>(Part<'a>);
 
 impl<'a> Place<'a> {
     /// The place of some faces with all vertices up to `edges` edges away free. Wider where it would be no manifold.
-    fn new(domain: &MovableDomain<'a>, folds: &[FaceId], edges: usize) -> Option<Self> {
+    fn new(domain: &MovableDomain<'a>, folds: &[FaceId], edges: usize, targets: &IdVec<FaceId, f64>) -> Option<Self> {
         (0..MOST_WIDER).find_map(|wider| {
             let free = within(&domain.topology, folds, edges.saturating_add(wider));
             let faces = domain.fans(&free);
             let normals = |f| [0, 1, 2].map(|c| domain.normals[HalfedgeId::of(f, c)]);
-            let triangles: Vec<_> = faces.iter().map(|&f| (domain.topology.face(f), normals(f))).collect();
+            let part_face =
+                |&f: &FaceId| PartFace { corners: domain.topology.face(f), normals: normals(f), target_area: targets[f] };
+            let triangles: Vec<PartFace> = faces.iter().map(part_face).collect();
             let is_free = |v| free.binary_search(&v).is_ok();
-            let part = Part::new(domain, &triangles, |v| if is_free(v) { domain.freedoms[v] } else { Freedom::Fixed })?;
-            Some(Self { faces, part })
+            Part::new(domain, &triangles, |v| if is_free(v) { domain.freedoms[v] } else { Freedom::Fixed }).map(Self)
         })
     }
 
     /// Where its vertices are after it was relaxed, and the number of Newton steps.
-    fn relaxed(
-        &self,
-        mender: &Mender,
-        targets: &IdVec<FaceId, f64>,
-        placement: &Placement,
-        options: &ShapeOptions,
-    ) -> (Vec<(VertexId, PlacedVertex)>, usize) {
-        let targets = self.faces.iter().map(|&f| targets[f]).collect();
-        let start = self.part.placement(|v| placement[v]);
-        let best = best_shape(&mender.of_part(&self.part.domain), &targets, start, SLACK, options);
-        (self.part.moved(&best.placement), best.steps)
+    fn relaxed(&self, mender: &Mender, placement: &Placement, options: &ShapeOptions) -> (Vec<(VertexId, PlacedVertex)>, usize) {
+        let Self(part) = self;
+        let start = part.placement(|v| placement[v]);
+        let best = best_shape(&mender.of_part(&part.domain), &part.targets, start, SLACK, options);
+        (part.moved(&best.placement), best.steps)
     }
 }
 
@@ -80,9 +73,9 @@ impl<'a> Place<'a> {
 fn apart(places: Vec<Place<'_>>) -> (Vec<Place<'_>>, Vec<Place<'_>>) {
     let mut taken = BTreeSet::new();
     places.into_iter().partition(|place| {
-        let is_free = place.part.vertices.iter().all(|v| !taken.contains(v));
+        let is_free = place.0.vertices.iter().all(|v| !taken.contains(v));
         if is_free {
-            taken.extend(place.part.vertices.iter().copied());
+            taken.extend(place.0.vertices.iter().copied());
         }
         is_free
     })

@@ -1,7 +1,6 @@
 //! Relaxation on shapes whose answers are known. `Bed::relax` checks what always holds.
 
 mod common;
-mod reconnecting;
 
 use common::{Bed, OCTAHEDRON, bytes, cube, frustum, icosahedron, octahedron, on_sphere, torus};
 use mesh_core::{FaceId, IdVec, VertexId};

@@ -1,6 +1,6 @@
 //! Beds for the tests: a working mesh, and a subdivided domain that lies on it.
 
-#![allow(unreachable_pub, reason = "a module that only tests see")]
+#![allow(unreachable_pub, dead_code, reason = "a module that only tests see, and not each of them all of it")]
 
 use glam::DVec3;
 use mesh_core::{FaceId, Id, IdVec, SurfacePoint, TriMesh, VertexId, walk};

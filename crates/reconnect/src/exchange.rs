@@ -1,8 +1,9 @@
 //! Vertices that change places: one is taken away where it is worth least, one put in where it is worth most.
 
-use super::remove::removal;
-use super::search::{Search, Trial};
-use super::split::{NEW_VERTICES, split};
+use crate::remove::removal;
+use crate::search::Search;
+use crate::split::{NEW_VERTICES, split};
+use crate::trial::{Site, Trial};
 use mesh_core::VertexId;
 use rayon::prelude::*;
 use region_map::BaseEdit;
@@ -12,16 +13,9 @@ const SPARE: f64 = 0.95;
 /// A vertex is put in between faces that exceed the least energy by more than this.
 const LEAST_WORTH: f64 = 1.0;
 
-/// Where a vertex could be put in or taken away.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Site {
-    Edge([VertexId; 2]),
-    Vertex(VertexId),
-}
-
 impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
     /// Takes vertices away and puts others in, as many, where both together gain. Returns the edges near by.
-    pub(super) fn exchange(&mut self) -> Vec<[VertexId; 2]> {
+    pub(crate) fn exchange(&mut self) -> Vec<[VertexId; 2]> {
         self.rate_sites();
         let mut sites: Vec<(f64, Site)> = self.rated.iter().map(|(&s, t)| (t.gain, s)).collect();
         sites.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
@@ -52,8 +46,8 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
         let mut rated = std::mem::take(&mut self.rated);
         rated.retain(|_, t| self.holds(t));
         let is_worth = |e: &[VertexId; 2]| self.cost_beside(*e) > LEAST_WORTH;
-        let edges = self.coarse.edges().into_iter().filter(is_worth).map(Site::Edge);
-        let removable = self.coarse.vertices().filter(|&v| self.is_spare(v)).map(Site::Vertex);
+        let edges = self.base.edges().into_iter().filter(is_worth).map(Site::Edge);
+        let removable = self.base.vertices().filter(|&v| self.is_spare(v)).map(Site::Vertex);
         let sites: Vec<Site> = edges.chain(removable).filter(|s| !rated.contains_key(s)).collect();
         self.found.tries += sites.len();
         // Splits that were rated before keep the numbers that they have.
@@ -61,8 +55,8 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
         self.n_middles += NEW_VERTICES * sites.iter().filter(|s| matches!(s, Site::Edge(_))).count();
         let trial = |(i, &site): (usize, &Site)| {
             let change = match site {
-                Site::Edge(e) => split(&self.coarse, e, first + NEW_VERTICES * i),
-                Site::Vertex(v) => removal(&self.coarse, v),
+                Site::Edge(e) => split(&self.base, e, first + NEW_VERTICES * i),
+                Site::Vertex(v) => removal(&self.base, v),
             };
             Some((site, self.tried(change?)?))
         };
@@ -73,12 +67,12 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
 
     /// May a vertex be taken away? Where the surface turns all are needed, which the first subdivision does not tell of.
     fn is_spare(&self, v: VertexId) -> bool {
-        let surface = self.coarse.domain.surface;
-        self.sizing.at(surface.mesh(), self.coarse.placed[v].point) >= SPARE
+        let mesh = self.base.whole.surface().mesh();
+        self.sizing.at(mesh, self.base.placed[v].point()) >= SPARE
     }
 
     fn cost_beside(&self, [a, b]: [VertexId; 2]) -> f64 {
-        let sides = [self.coarse.face_at(a, b), self.coarse.face_at(b, a)];
-        sides.into_iter().flatten().map(|(f, _)| self.coarse.costs[f]).sum()
+        let sides = [self.base.face_at(a, b), self.base.face_at(b, a)];
+        sides.into_iter().flatten().map(|(f, _)| self.base.costs[f]).sum()
     }
 }

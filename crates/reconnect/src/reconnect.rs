@@ -1,0 +1,61 @@
+//! The verb of this crate.
+
+use crate::editable_base::EditableBase;
+use crate::search::Search;
+use crate::{ReconnectError, ReconnectOptions};
+use mesh_core::TriMesh;
+use region_map::{BaseEdit, Domain, Sizing, Surface};
+use relax::parts::Whole;
+
+/// Better connectivity for a base mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reconnected {
+    /// The edits, in their order.
+    pub edits: Vec<BaseEdit>,
+    /// By how much the energy of the first subdivision exceeds that of equilateral triangles at the start.
+    pub energy_at_start: f64,
+    /// The same after all edits.
+    pub energy_at_end: f64,
+    /// Edits that were tried.
+    pub tries: usize,
+}
+
+/// Finds edits of a base mesh by which the shape energy of its first subdivision falls: edges are flipped, and vertices taken away while
+/// as many are put in elsewhere.
+///
+/// `domain` is the base mesh subdivided once and relaxed. `carry_out` does each edit that is chosen in the base mesh itself; where it
+/// cannot and returns false, the edit is not done. Vertices are taken away only where the sizing field, one length for each vertex of the
+/// working mesh, asks for nothing. The energy never grows.
+///
+/// Fails when the domain does not fit the surface or was not subdivided once, when the sizing field is of another mesh, and for an option
+/// out of its range.
+pub fn reconnect(
+    surface: &Surface,
+    domain: &Domain,
+    sizing: &Sizing,
+    options: &ReconnectOptions,
+    carry_out: impl FnMut(&BaseEdit) -> bool + Sync,
+) -> Result<Reconnected, ReconnectError> {
+    options.check()?;
+    check_sizing(sizing, surface.mesh())?;
+    let whole = Whole::new(surface, domain)?;
+    let base = EditableBase::new(&whole, domain, &options.shape)?;
+    let mut search = Search::new(base, sizing, options, carry_out);
+    let mut near = search.base.edges();
+    while !near.is_empty() && !search.is_exhausted() {
+        search.flip_all(near);
+        near = search.exchange();
+    }
+    Ok(search.found)
+}
+
+fn check_sizing(sizing: &Sizing, mesh: &TriMesh) -> Result<(), ReconnectError> {
+    let (found, expected) = (sizing.relative.len(), mesh.n_vertices());
+    if found != expected {
+        return Err(ReconnectError::SizingOfAnotherMesh { found, expected });
+    }
+    match sizing.relative.enumerate().find(|(_, length)| !(**length > 0.0 && length.is_finite())) {
+        Some((vertex, &length)) => Err(ReconnectError::Sizing { vertex, length }),
+        None => Ok(()),
+    }
+}
