@@ -3,54 +3,121 @@
 use crate::Error;
 use crate::attempt::Remedy;
 use crate::verdict::Verdict;
+use std::ops::ControlFlow;
 
 /// The best result so far, and why all others are not right.
 pub(crate) struct Best<T> {
     /// What the tries so far came to that did not come out right, in plain words.
-    pub(crate) warnings: Vec<String>,
-    first_failure: Option<Error>,
+    warnings: Vec<String>,
+    failures: Vec<Error>,
     certified: Option<(Verdict, T)>,
 }
 
 impl<T> Best<T> {
     pub(crate) fn new() -> Self {
-        Self { warnings: Vec::new(), first_failure: None, certified: None }
+        Self { warnings: Vec::new(), failures: Vec::new(), certified: None }
     }
 
-    pub(crate) fn has_tried(&self) -> bool {
-        self.certified.is_some() || self.first_failure.is_some()
-    }
-
-    /// Whether nothing better can come.
-    pub(crate) fn is_right(&self) -> bool {
-        self.certified.as_ref().is_some_and(|(verdict, _)| *verdict == Verdict::Certified)
-    }
-
-    /// Takes a certified result.
-    pub(crate) fn pass(&mut self, remedy: Remedy, verdict: Verdict, result: T) {
+    /// Takes a certified result. Breaks where nothing better can come.
+    pub(crate) fn pass(&mut self, remedy: Remedy, verdict: Verdict, result: T) -> ControlFlow<()> {
         if let Verdict::Lost { base_edges } = verdict {
             self.warnings.push(format!("{remedy} it misses the input by {base_edges:.2} base edges somewhere"));
         }
+        let is_right = verdict == Verdict::Certified;
         if self.certified.as_ref().is_none_or(|(best, _)| verdict > *best) {
             self.certified = Some((verdict, result));
         }
+        if is_right { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Takes a failure; returns it where no other base mesh can help.
-    pub(crate) fn fail(&mut self, remedy: Remedy, error: Error) -> Result<(), Error> {
-        if !matches!(error, Error::NotCertified(_) | Error::Folded { .. } | Error::Base(_)) {
-            return Err(error);
-        }
-        self.warnings.push(format!("{remedy} it was tried and failed: {error}"));
-        self.first_failure.get_or_insert(error);
-        Ok(())
+    /// Takes a failure. Breaks where no other base mesh can help.
+    pub(crate) fn fail(&mut self, remedy: Remedy, error: Error) -> ControlFlow<()> {
+        let can_other_help = matches!(error, Error::NotCertified(_) | Error::Folded { .. } | Error::Base(_));
+        self.warnings.push(format!("{remedy} it was tried and failed: {}", error.with_request()));
+        self.failures.push(error);
+        if can_other_help { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
-    /// The best result with the warnings of all tries, or the first failure.
-    pub(crate) fn end(self) -> Result<(T, Vec<String>), Error> {
-        match self.certified {
-            Some((_, result)) => Ok((result, self.warnings)),
-            None => Err(self.first_failure.unwrap_or(Error::NotCertified("nothing was tried".into()))),
+    /// The best result with the warnings of all tries. Without one, a fault of ours if there was any, else the first failure.
+    ///
+    /// A certified result is never dropped for what failed after it, unless the caller has ended the run.
+    pub(crate) fn end(mut self) -> Result<(T, Vec<String>), Error> {
+        if let Some(i) = self.failures.iter().position(|e| matches!(e, Error::Cancelled)) {
+            return Err(self.failures.swap_remove(i));
         }
+        if let Some((_, result)) = self.certified {
+            return Ok((result, self.warnings));
+        }
+        let fault = self.failures.iter().position(Error::is_internal);
+        Err(match fault {
+            Some(i) => self.failures.swap_remove(i),
+            None => self.failures.into_iter().next().unwrap_or(Error::NotCertified("nothing was tried".into())),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FOLDED: Error = Error::Folded { folded: 3, triangles: 100 };
+    const TOO_LARGE: Error = Error::TooLarge { base_vertices: 9, triangles: 1 << 40 };
+
+    fn lost(base_edges: f64) -> Verdict {
+        Verdict::Lost { base_edges }
+    }
+
+    #[test]
+    fn of_results_that_have_lost_something_the_one_that_lost_least_is_kept() {
+        let mut best = Best::new();
+        for (name, base_edges) in [("a", 0.5), ("b", 0.3), ("c", 0.4)] {
+            assert!(best.pass(Remedy::AsAsked, lost(base_edges), name).is_continue());
+        }
+        let (result, warnings) = best.end().unwrap();
+        assert_eq!((result, warnings.len()), ("b", 3));
+    }
+
+    #[test]
+    fn nothing_is_tried_after_a_result_that_is_right() {
+        let mut best = Best::new();
+        assert!(best.fail(Remedy::AsAsked, FOLDED).is_continue());
+        assert!(best.pass(Remedy::OtherBase, Verdict::Certified, "right").is_break());
+        assert_eq!(best.end().unwrap().0, "right");
+    }
+
+    #[test]
+    fn a_certified_result_is_never_dropped() {
+        for error in [FOLDED, TOO_LARGE, Error::Fit(fit::FitError::NoFace(mesh_core::FaceId(0)))] {
+            let mut best = Best::new();
+            assert!(best.pass(Remedy::AsAsked, lost(0.5), "certified").is_continue());
+            let text = error.to_string();
+            let _ = best.fail(Remedy::MoreCreases, error);
+            let (result, warnings) = best.end().unwrap();
+            assert_eq!(result, "certified");
+            assert!(warnings[1].contains(&text), "{warnings:?}");
+        }
+    }
+
+    #[test]
+    fn a_cancelled_run_leaves_nothing() {
+        let mut best = Best::new();
+        let _ = best.pass(Remedy::AsAsked, lost(0.5), "certified");
+        assert!(best.fail(Remedy::MoreCreases, Error::Cancelled).is_break());
+        assert!(matches!(best.end(), Err(Error::Cancelled)));
+    }
+
+    #[test]
+    fn without_a_result_the_first_failure_is_told_or_a_fault_of_ours() {
+        let ends = |errors: Vec<Error>| {
+            let mut best = Best::<()>::new();
+            for error in errors {
+                let _ = best.fail(Remedy::AsAsked, error);
+            }
+            best.end().unwrap_err()
+        };
+        assert!(matches!(ends(vec![FOLDED, TOO_LARGE]), Error::Folded { .. }));
+        assert!(matches!(ends(vec![TOO_LARGE]), Error::TooLarge { .. }));
+        let fault = || Error::Fit(fit::FitError::NoFace(mesh_core::FaceId(0)));
+        assert!(matches!(ends(vec![FOLDED, fault()]), Error::Fit(_)));
     }
 }

@@ -139,4 +139,64 @@ impl Error {
             _ => Verdict::Failed { reason: self.to_string() },
         }
     }
+
+    /// Whether it is a fault of ours, which the user cannot help.
+    pub(crate) fn is_internal(&self) -> bool {
+        match self {
+            Self::Cancelled
+            | Self::Clean(_)
+            | Self::Features(_)
+            | Self::MarkedEdge { .. }
+            | Self::Base(_)
+            | Self::TooLarge { .. }
+            | Self::Folded { .. }
+            | Self::CleanBase(_)
+            | Self::BaseNotManifold { .. }
+            | Self::Trace(_)
+            | Self::BaseNotCertified { .. }
+            | Self::NotCertified(_) => false,
+            Self::Refine(_)
+            | Self::Surface(_)
+            | Self::Network(_)
+            | Self::Sizing(_)
+            | Self::Segment(_)
+            | Self::Split(_)
+            | Self::Cells(_)
+            | Self::Sample(_)
+            | Self::Subdivide(_)
+            | Self::Project(_)
+            | Self::Reconnect(_)
+            | Self::Measure(_)
+            | Self::Relax(_)
+            | Self::Fit(_)
+            | Self::Snap(_) => true,
+        }
+    }
+
+    /// The message, with a request to report it where it is a fault of ours.
+    pub(crate) fn with_request(&self) -> String {
+        const REQUEST: &str = "please report this";
+        let message = self.to_string();
+        if self.is_internal() && !message.contains(REQUEST) {
+            format!("{message}; {REQUEST} with the input file")
+        } else {
+            message
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fault_of_ours_asks_for_a_report_once() {
+        let fault = Error::Fit(fit::FitError::NoFace(mesh_core::FaceId(7)));
+        assert!(fault.is_internal() && fault.with_request().ends_with("please report this with the input file"));
+        let asking = Error::Cells(region_map::CellError::OtherMesh);
+        assert_eq!(asking.with_request(), asking.to_string());
+        assert!(!Error::Cancelled.is_internal());
+        let folded = Error::Folded { folded: 1, triangles: 9 };
+        assert_eq!(folded.with_request(), folded.to_string());
+    }
 }

@@ -12,6 +12,7 @@ use crate::run::Run;
 use crate::verdict::Verdict;
 use crate::{Error, Options};
 use mesh_core::Soup;
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// Remeshes a soup of triangles: all stages, then the certificate. Nothing is returned that does not pass it.
@@ -73,38 +74,34 @@ fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remes
     // A base mesh that is given is the only one.
     let plan = if input.given.is_some() { &PLAN[..1] } else { &PLAN[..] };
     'plan: for &(first_remedy, ref setting) in plan {
+        let mut start = Instant::now();
         if budget.is_spent() {
             break;
         }
-        let mut start = Instant::now();
         let bases = match candidates(input, options, setting, needed, &|v, f| budget.admits(v, f), run) {
             Ok(bases) => bases,
-            Err(Error::TooLarge { .. }) if best.has_tried() => break,
             Err(e) => {
                 run.record(first_remedy, None, e.verdict(), start);
-                best.fail(first_remedy, e)?;
-                continue;
+                match best.fail(first_remedy, e) {
+                    ControlFlow::Continue(()) => continue,
+                    ControlFlow::Break(()) => break,
+                }
             }
         };
-        let remedies = [first_remedy, Remedy::OtherBase];
-        for (stages, remedy) in bases.into_iter().zip(remedies) {
+        for (stages, remedy) in bases.into_iter().zip([first_remedy, Remedy::OtherBase]) {
             if budget.is_spent() {
                 break 'plan;
             }
             needed = needed.max(stages.counts.needed);
             budget.spend(stages.base.mesh().n_faces());
-            match finished(input, &stages, options, run) {
-                Ok(remeshed) => {
-                    let verdict = verdict(input, options, &remeshed);
-                    run.record(remedy, Some(stages.way), verdict.clone(), start);
-                    best.pass(remedy, verdict, remeshed);
-                }
-                Err(e) => {
-                    run.record(remedy, Some(stages.way), e.verdict(), start);
-                    best.fail(remedy, e)?;
-                }
-            }
-            if best.is_right() {
+            let result = finished(input, &stages, options, run);
+            let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(input, options, remeshed));
+            run.record(remedy, Some(stages.way), verdict.clone(), start);
+            let next = match result {
+                Ok(remeshed) => best.pass(remedy, verdict, remeshed),
+                Err(e) => best.fail(remedy, e),
+            };
+            if next.is_break() {
                 break 'plan;
             }
             start = Instant::now();
@@ -120,16 +117,18 @@ fn first_base(input: &Input, options: &Options, run: &mut Run) -> Result<BaseSta
     let mut best = Best::new();
     for &(remedy, ref setting) in &PLAN {
         let start = Instant::now();
-        match candidates(input, options, setting, 0, &|_, _| Ok(()), run).map(|bases| bases.into_iter().next()) {
-            Ok(Some(stages)) => {
-                best.pass(remedy, Verdict::Certified, stages);
-                break;
-            }
-            Ok(None) => {}
+        let next = match candidates(input, options, setting, 0, &|_, _| Ok(()), run) {
+            Ok(bases) => match bases.into_iter().next() {
+                Some(stages) => best.pass(remedy, Verdict::Certified, stages),
+                None => ControlFlow::Continue(()),
+            },
             Err(e) => {
                 run.record(remedy, None, e.verdict(), start);
-                best.fail(remedy, e)?;
+                best.fail(remedy, e)
             }
+        };
+        if next.is_break() {
+            break;
         }
     }
     let (mut stages, warnings) = best.end()?;
