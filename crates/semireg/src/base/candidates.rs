@@ -3,7 +3,7 @@
 use super::decimation::decimation;
 use super::given::given;
 use super::patches::{Patches, patches};
-use super::search::searched;
+use super::search::{Searched, retraced, searched};
 use super::setting::Setting;
 use super::stages::{Base, BaseCounts, BaseStages, Way};
 use crate::input::Input;
@@ -43,12 +43,12 @@ pub(crate) fn candidates(
     let sizing_options = SizingOptions { turn: setting.turn, ..SizingOptions::new(base_edge_length) };
     let sizing = run.stage("sizing", || sizing::sizing(&surface, &sizing_options))?;
     let ways = Ways { input, options, surface: &surface, sizing: &sizing, wanted, admits };
-    let (patches, rated) = ways.both(run)?;
+    let Made { patches, rated, faults } = ways.both(run)?;
     let stages = |rated: Rated| {
         let made = rated.base.mesh().n_vertices();
         let needed = patches.as_ref().map_or(made, |p| p.needed.min(made));
-        let warnings = patches.iter().filter(|p| rated.way == Way::Patches && p.n_split > 0);
-        let split = |p: &Arc<Patches>| format!("{} patches were too long or too winding to lay flat and were split", p.n_split);
+        let split = patches.iter().filter(|p| rated.way == Way::Patches && p.n_split > 0);
+        let split = split.map(|p| format!("{} patches were too long or too winding to lay flat and were split", p.n_split));
         BaseStages {
             cleaned: input.cleaned.clone(),
             surface: surface.clone(),
@@ -56,7 +56,7 @@ pub(crate) fn candidates(
             way: rated.way,
             counts: BaseCounts { asked: input.asked, needed, made, reason: reason(input.asked, made, &surface, setting) },
             base: Arc::new(Base::Mapped(rated.base)),
-            warnings: warnings.map(split).collect(),
+            warnings: split.chain(rated.faults).chain(faults.clone()).collect(),
         }
     };
     Ok(rated.into_iter().map(stages).collect())
@@ -83,16 +83,26 @@ struct Ways<'a> {
     admits: &'a Admits<'a>,
 }
 
+/// The base meshes of both ways, the best first.
+struct Made {
+    patches: Option<Arc<Patches>>,
+    rated: Vec<Rated>,
+    /// Why there is only one, where that is a fault of ours.
+    faults: Vec<String>,
+}
+
 /// A base mesh, and what it promises.
 struct Rated {
     rating: f64,
     way: Way,
     base: BaseMesh,
+    /// What went wrong on the way to it.
+    faults: Vec<String>,
 }
 
 impl Ways<'_> {
     /// Goes both ways at once: neither waits for the other before it has its rating. Fails where both do.
-    fn both(&self, run: &mut Run) -> Result<(Option<Arc<Patches>>, Vec<Rated>), Error> {
+    fn both(&self, run: &mut Run) -> Result<Made, Error> {
         let (by_patches, decimated) = run.side_by_side(
             |run: &mut Run| {
                 let patches = patches(self.surface, self.sizing, self.wanted, self.options.seed, run)?;
@@ -104,23 +114,29 @@ impl Ways<'_> {
                 self.rated(Way::Decimation, base, run)
             },
         );
-        let (patches, mut rated): (_, Vec<Rated>) = match (by_patches, decimated) {
-            (Ok((patches, rated)), decimated) => (Some(patches), decimated.into_iter().chain([rated]).collect()),
-            (Err(_), Ok(rated)) => (None, vec![rated]),
-            (Err(_), Err(e @ Error::TooLarge { .. })) | (Err(e), Err(_)) => return Err(e),
+        let failed = |way: Way, error: &Error| match error {
+            // Not a fault: the other way's base mesh is small enough.
+            Error::TooLarge { .. } => None,
+            _ => Some(format!("there is no base mesh by {}: {}", way.name(), error.with_request())),
+        };
+        let (patches, mut rated, faults) = match (by_patches, decimated) {
+            (Ok((patches, rated)), Ok(decimated)) => (Some(patches), vec![decimated, rated], None),
+            (Ok((patches, rated)), Err(e)) => (Some(patches), vec![rated], failed(Way::Decimation, &e)),
+            (Err(e), Ok(decimated)) => (None, vec![decimated], failed(Way::Patches, &e)),
+            (Err(_), Err(e @ (Error::TooLarge { .. } | Error::Cancelled))) | (Err(e), Err(_)) => return Err(e),
         };
         rated.sort_by(|a, b| b.rating.total_cmp(&a.rating));
-        Ok((patches, rated))
+        Ok(Made { patches, rated, faults: faults.into_iter().collect() })
     }
 
     /// A base mesh with a map of its own, after the search for better connectivity, and its rating.
     fn rated(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
-        // The history of edits distorts the map; where edges cannot be traced it still is one.
-        let base = run.stage("retrace", || Ok::<_, Error>(trace_base::retrace(self.surface, &base).unwrap_or(base)))?;
-        let search = || Ok::<_, Error>(searched(self.surface, self.sizing, base, self.input.asked, self.options));
-        let (rating, base) = run.stage("search", search)?;
-        Ok(Rated { rating, way, base })
+        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(self.surface, base)))?;
+        let search = || searched(self.surface, self.sizing, base, self.input.asked, self.options);
+        let Searched { rating, base, faults: of_search } = run.stage("search", search)?;
+        faults.extend(of_search);
+        Ok(Rated { rating, way, base, faults })
     }
 }
 

@@ -1,4 +1,4 @@
-//! Better connectivity for the base mesh, by what it can be relaxed to.
+//! Better connectivity for a base mesh, by what it can be relaxed to.
 
 use super::rating::{rate, relaxed_once};
 use crate::{Error, Options};
@@ -9,28 +9,66 @@ use relax::Relaxed;
 /// A base mesh of more faces is not searched: it would take minutes, and it has more vertices than anybody asks for.
 const MOST_FACES: usize = 6_000;
 
-/// The base mesh after edits that lower the energy of its relaxed first subdivision, if that is rated higher, and its rating.
-pub(super) fn searched(surface: &Surface, sizing: &Sizing, base: BaseMesh, asked: usize, options: &Options) -> (f64, BaseMesh) {
-    let Ok(relaxed) = relaxed_once(surface, &base, options) else { return (f64::NEG_INFINITY, base) };
-    let rating = rate(surface, &base, &relaxed, asked);
-    if base.mesh().n_faces() > MOST_FACES {
-        return (rating, base);
-    }
-    // Where the search fails there still is the base mesh.
-    let Ok(Some(found)) = search(surface, sizing, &base, &relaxed) else { return (rating, base) };
-    let Ok(relaxed) = relaxed_once(surface, &found, options) else { return (rating, base) };
-    let its_rating = rate(surface, &found, &relaxed, asked);
-    if its_rating > rating { (its_rating, found) } else { (rating, base) }
+/// A base mesh after the search, and what it promises.
+pub(super) struct Searched {
+    pub(super) rating: f64,
+    pub(super) base: BaseMesh,
+    /// Faults of ours on the way: the base mesh is as it was before them.
+    pub(super) faults: Vec<String>,
 }
 
-/// The base mesh after the edits that were found, with a map of its own; `None` where none was.
-fn search(surface: &Surface, sizing: &Sizing, base: &BaseMesh, relaxed: &Relaxed) -> Result<Option<BaseMesh>, Error> {
+/// The base mesh after edits that lower the energy of its relaxed first subdivision, if that is rated higher. Fails where the base mesh
+/// cannot be subdivided, projected or relaxed.
+pub(super) fn searched(
+    surface: &Surface,
+    sizing: &Sizing,
+    base: BaseMesh,
+    asked: usize,
+    options: &Options,
+) -> Result<Searched, Error> {
+    let relaxed = relaxed_once(surface, &base, options)?;
+    let before = Searched { rating: rate(surface, &base, &relaxed, asked), base, faults: Vec::new() };
+    if before.base.mesh().n_faces() > MOST_FACES {
+        return Ok(before);
+    }
+    match found(surface, sizing, &before.base, &relaxed, asked, options) {
+        Ok(Some(found)) if found.rating > before.rating => Ok(found),
+        Ok(Some(found)) => Ok(Searched { faults: found.faults, ..before }),
+        Ok(None) => Ok(before),
+        // There still is the base mesh as it was.
+        Err(e) => {
+            Ok(Searched { faults: vec![format!("the search for better connectivity failed: {}", e.with_request())], ..before })
+        }
+    }
+}
+
+/// The base mesh after the edits that the search finds, with a map of its own; `None` where it finds none.
+fn found(
+    surface: &Surface,
+    sizing: &Sizing,
+    base: &BaseMesh,
+    relaxed: &Relaxed,
+    asked: usize,
+    options: &Options,
+) -> Result<Option<Searched>, Error> {
     let mut replay = Replay::new(surface, base.clone())?;
-    let found = reconnect::reconnect(surface, &relaxed.domain, sizing, &Default::default(), |edit| replay.edit(edit))?;
-    if found.edits.is_empty() {
+    let edits = reconnect::reconnect(surface, &relaxed.domain, sizing, &Default::default(), |edit| replay.edit(edit))?.edits;
+    if edits.is_empty() {
         return Ok(None);
     }
-    let base = replay.finish()?;
-    // As in all other places the map of the edits is one, too.
-    Ok(Some(trace_base::retrace(surface, &base).unwrap_or(base)))
+    let (base, faults) = retraced(surface, replay.finish()?);
+    let relaxed = relaxed_once(surface, &base, options)?;
+    Ok(Some(Searched { rating: rate(surface, &base, &relaxed, asked), base, faults }))
+}
+
+/// The base mesh with a map of its own instead of the history of its edits, which distorts. Where edges cannot be traced, that history still
+/// is a map; it is told.
+pub(super) fn retraced(surface: &Surface, base: BaseMesh) -> (BaseMesh, Vec<String>) {
+    match trace_base::retrace(surface, &base) {
+        Ok(traced) => (traced, Vec::new()),
+        Err(reason) => {
+            let told = format!("the base mesh keeps the map of its edits, which could not be traced anew: {reason}");
+            (base, vec![told])
+        }
+    }
 }
