@@ -66,11 +66,7 @@ pub(crate) fn mended(input: &Reference, start: Candidate, options: &Options, run
             best = now;
         }
     }
-    // Triangles of no area may still come free when they are snapped.
-    match best.faults.flipped.len() {
-        0 => Ok(best),
-        folded => Err(Error::Folded { folded, triangles: best.n_triangles() }),
-    }
+    Ok(best)
 }
 
 /// What is mended at once: first all, then every cluster by itself, as what frees one may spoil another.
