@@ -6,8 +6,10 @@ use crate::candidate::Candidate;
 use crate::report::SnapCounts;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
+use mesh_core::{FaceId, HalfedgeId, Topology};
 use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
 use snap::{LetGo, SnapOptions, Snapped};
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 /// Newton steps after snapping: it moves few vertices, and from a relaxed start.
@@ -16,6 +18,9 @@ const UNTANGLING_STEPS: usize = 8;
 /// So often the domain is snapped, each time without what came out poor before. A few poor triangles of the last time are borne: they are
 /// not worth all creases.
 const ROUNDS: usize = 4;
+/// So often while there are more triangles that the certificate refuses than before snapping: each further time creases are let go in one
+/// more ring of triangles around these. Measured, CesiumMilkTruck: with four rounds it lost all of its bends and minor creases.
+const MOST_ROUNDS: usize = 8;
 
 /// Snaps a candidate to bends and minor creases and relaxes it again. It comes back as it was where there are none, where the certificate
 /// would refuse more triangles than before, or where snapping fails; the last two with a warning.
@@ -36,32 +41,48 @@ pub(super) fn snapped(
     before
 }
 
-/// The candidate snapped, as far as it bears it; `None` where there is nothing to snap to.
+/// The round of snapping with the fewest triangles that the certificate would refuse; `None` where there is nothing to snap to.
 fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
     let few_steps = RelaxOptions {
         quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
         shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
     };
     let snap_options = SnapOptions::default();
-    let (mut let_go, mut round) = (LetGo::default(), 1);
-    loop {
+    let start = &before.relaxed.domain;
+    let (mut let_go, mut best) = (LetGo::default(), None);
+    for round in 1..=MOST_ROUNDS {
         let begun = Instant::now();
-        let start = &before.relaxed.domain;
         let snapped = snap::snap(&before.surface, start, &let_go, &snap_options)?;
         if snapped.is_unchanged() {
-            return Ok(None);
+            break;
         }
         let now = relaxed_again(input, before, &snapped, &few_steps)?;
         run.record(if round == 1 { Remedy::Snap } else { Remedy::LetGoCreases }, None, now.verdict(), begun);
-        let refused = if now.n_faults() > before.n_faults() { now.faults.faces() } else { Vec::new() };
+        let is_borne = now.n_faults() <= before.n_faults();
+        let refused = if is_borne { Vec::new() } else { now.faults.faces() };
+        let refused = widened(&start.topology, refused, round.saturating_sub(ROUNDS));
         let poor = snapped.poor([&start.mesh, &now.relaxed.domain.mesh], &refused, &snap_options)?;
-        if poor == LetGo::default() || round == ROUNDS {
-            return Ok(Some(now));
+        // Of rounds with as many refused triangles the last one has the fewest poor ones.
+        if best.as_ref().is_none_or(|best: &Candidate| now.n_faults() <= best.n_faults()) {
+            best = Some(now);
+        }
+        if poor == LetGo::default() || (round >= ROUNDS && is_borne) {
+            break;
         }
         let_go.bends.extend(poor.bends);
         let_go.minor.extend(poor.minor);
-        round += 1;
     }
+    Ok(best)
+}
+
+/// Some triangles and those around them, so many rings.
+fn widened(topology: &Topology, mut faces: Vec<FaceId>, rings: usize) -> Vec<FaceId> {
+    for _ in 0..rings {
+        let around: BTreeSet<FaceId> =
+            faces.iter().flat_map(|&f| topology.face(f)).flat_map(|v| topology.fan(v)).map(HalfedgeId::face).collect();
+        faces = around.into_iter().collect();
+    }
+    faces
 }
 
 /// A snapped domain, relaxed and judged.
