@@ -6,7 +6,8 @@ use mesh_core::{CleanOptions, Soup};
 /// Options of the whole pipeline. Everything has a default that works.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Wanted number of base vertices; `None` takes 1.6 % of the cleaned input's, between 100 and 2000.
+    /// Wanted number of base vertices. `None` takes three times what corners and curves need, at least 500 and at least 1.6 % of the cleaned
+    /// input's vertices, at most 2,000.
     pub base_vertices: Option<usize>,
     /// A base mesh to take instead of one of our own: its vertices and faces keep their order, and `base_vertices` is not asked. It must be
     /// an oriented manifold of the topology of the cleaned input. Default `None`.
@@ -14,7 +15,7 @@ pub struct Options {
     /// Creases that its edges don't follow are given up as minor. If its edges cannot be traced on the surface, vertices are placed by rays.
     /// Warnings say so. There is one attempt, and nothing of the base mesh is changed.
     pub base_mesh: Option<Soup>,
-    /// How often every base face is split in four, 0 to 8. Default 3.
+    /// How often every base face is split in four, 0 to 8. Default 2.
     pub levels: u32,
     /// Seed of all that is chosen at random. Default 0.
     pub seed: u64,
@@ -37,7 +38,7 @@ impl Default for Options {
         Self {
             base_vertices: None,
             base_mesh: None,
-            levels: 3,
+            levels: 2,
             seed: 0,
             clean: CleanOptions::default(),
             features: features::FeatureOptions::default(),
@@ -46,13 +47,5 @@ impl Default for Options {
             project: project::ProjectOptions::default(),
             fit: Some(fit::FitOptions::default()),
         }
-    }
-}
-
-impl Options {
-    /// The number of base vertices to ask for, given the number of input vertices.
-    pub(crate) fn wanted_base_vertices(&self, input_vertices: usize) -> usize {
-        const SHARE: f64 = 0.016;
-        self.base_vertices.unwrap_or(((SHARE * input_vertices as f64) as usize).clamp(100, 2000))
     }
 }

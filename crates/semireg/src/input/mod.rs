@@ -3,6 +3,7 @@
 mod given;
 mod marked;
 mod prepare;
+mod size;
 
 pub(crate) use given::GivenBase;
 pub(crate) use prepare::Input;

@@ -2,6 +2,7 @@
 
 use super::given::GivenBase;
 use super::marked::marked_edges;
+use super::size::default_base_vertices;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::Reference;
@@ -38,13 +39,17 @@ impl Input {
         let given = options.base_mesh.as_ref().map(GivenBase::new).transpose()?;
         let cleaned = run.stage("clean", || mesh_core::clean(soup, &options.clean))?;
         let marked = marked_edges(&cleaned, &options.marked_edges)?;
-        let asked = match &given {
-            Some(base) => base.mesh.n_vertices(),
-            None => options.wanted_base_vertices(cleaned.mesh.n_vertices()),
+        let asked = match (&given, options.base_vertices) {
+            (Some(base), _) => base.mesh.n_vertices(),
+            (None, Some(asked)) => asked,
+            (None, None) => run.stage("features", || default_base_vertices(&cleaned, &marked, options))?,
         };
         let base_edge = equilateral_edge_length(cleaned.mesh.total_area(), asked);
-        let refine_options =
-            RefineOptions { shortest_edge: SHORTEST_EDGE * base_edge, ..RefineOptions::new(LONGEST_EDGE * base_edge) };
+        let refine_options = RefineOptions {
+            shortest_edge: SHORTEST_EDGE * base_edge,
+            crease_angle: options.features.strong_angle,
+            ..RefineOptions::new(LONGEST_EDGE * base_edge)
+        };
         let refined = run.stage("refine", || refine::refine(&cleaned.mesh, &cleaned.topology, &marked, &refine_options))?;
         let Refined { mesh, topology, marked, .. } = refined;
         let borders = ArcKind::by_angle(&mesh, &topology, f64::INFINITY);
