@@ -26,8 +26,10 @@ struct Args {
 enum Chore {
     /// Everything that must be green: format, lints, tests, docs, tidy, regress
     Ci,
-    /// Check what the compiler cannot: who depends on whom, licences, module docs, file sizes, paths
+    /// Check what the compiler cannot: who depends on whom, circles of files, licences, docs, file sizes, paths, docs/constants.md
     Tidy,
+    /// Write docs/constants.md, the page of all numbers that decide a result, from the sources
+    Constants,
     /// Remesh the fixtures and compare with the stored figures and with libigl
     Regress(regress::Args),
     /// Remesh a folder of models, with and without the fit, and write the tables of docs/results.md
@@ -40,6 +42,7 @@ fn main() -> ExitCode {
     let done = match Args::parse().chore {
         Chore::Ci => ci::run(),
         Chore::Tidy => tidy::run(),
+        Chore::Constants => tidy::write_constants(),
         Chore::Regress(args) => regress::run(&args),
         Chore::Results(args) => results::run(&args),
         Chore::Ablation(args) => ablation::run(&args),

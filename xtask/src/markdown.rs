@@ -21,6 +21,12 @@ pub(crate) fn put(path: &Path, text: &str) -> Result<()> {
     fs::write(path, document).with_context(|| format!("cannot write {}", path.display()))
 }
 
+/// Whether the text is what is between the marks of a document.
+pub(crate) fn holds(path: &Path, text: &str) -> Result<bool> {
+    let document = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(put_between(&document, text).with_context(|| path.display().to_string())? == document)
+}
+
 fn put_between(document: &str, text: &str) -> Result<String> {
     let Some((before, rest)) = document.split_once(MARKS[0]) else { bail!("the mark is missing: put in the line {}", MARKS[0]) };
     let Some((_, after)) = rest.split_once(MARKS[1]) else { bail!("the mark is missing: put in the line {}", MARKS[1]) };

@@ -3,9 +3,22 @@
 use super::metadata::{packages, text};
 use serde_json::Value;
 
-/// The stages never see each other: what passes between them is in region-map.
-const STAGES: &[&str] =
-    &["refine", "features", "sizing", "segment-vsa", "segment-cvt", "basemesh", "subdiv", "project", "relax", "snap", "fit"];
+/// The stages don't see each other: what passes between them is in region-map.
+const STAGES: &[&str] = &[
+    "refine",
+    "features",
+    "sizing",
+    "segment-vsa",
+    "segment-cvt",
+    "basemesh",
+    "trace-base",
+    "subdiv",
+    "project",
+    "reconnect",
+    "relax",
+    "snap",
+    "fit",
+];
 
 /// What stages see.
 const BASIS: &[&str] = &["mesh-core", "region-map"];
@@ -18,10 +31,13 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
         "view" => Some(BASIS.to_vec()),
         // The stages that solve systems with unknowns at vertices.
         "relax" | "fit" => Some([BASIS, &["conjugate-gradients"]].concat()),
+        // Both make base meshes with a map, by the same charts.
+        "chart" => Some(BASIS.to_vec()),
+        "basemesh" | "trace-base" => Some([BASIS, &["chart"]].concat()),
+        // It rates edits of a base mesh by how well its subdivision relaxes.
+        "reconnect" => Some([BASIS, &["relax"]].concat()),
         stage if STAGES.contains(&stage) => Some(BASIS.to_vec()),
-        // It makes the same artifact, by the same charts.
-        "trace-base" => Some([BASIS, &["basemesh"]].concat()),
-        "semireg" => Some([BASIS, STAGES, &["trace-base", "certify"]].concat()),
+        "semireg" => Some([BASIS, STAGES, &["certify"]].concat()),
         "cli" => Some([BASIS, &["mesh-io", "features", "certify", "view", "semireg"]].concat()),
         _ => None,
     }
@@ -31,6 +47,7 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("obvhs", &["mesh-core"]),
     ("spade", &["basemesh"]),
+    ("flate2", &["mesh-io"]),
     ("gltf", &["mesh-io"]),
     ("gltf-json", &["mesh-io"]),
     ("ply-rs-bw", &["mesh-io"]),
@@ -39,6 +56,8 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("png", &["view"]),
     ("anyhow", &["cli", "xtask"]),
     ("clap", &["cli", "xtask"]),
+    ("ctrlc", &["cli"]),
+    ("indicatif", &["cli"]),
     ("serde", &["cli", "xtask"]),
     ("serde_json", &["cli", "xtask"]),
     ("proc-macro2", &["xtask"]),
@@ -85,6 +104,12 @@ mod tests {
         assert!(problems("project", json!({ "name": "region-map", "kind": null })).is_empty());
         assert!(problems("relax", json!({ "name": "conjugate-gradients", "kind": null })).is_empty());
         assert_eq!(problems("relax", json!({ "name": "fit", "kind": null })), ["relax must not depend on fit"]);
+        assert!(problems("reconnect", json!({ "name": "relax", "kind": null })).is_empty());
+        assert_eq!(problems("relax", json!({ "name": "reconnect", "kind": null })), ["relax must not depend on reconnect"]);
+        assert_eq!(
+            problems("trace-base", json!({ "name": "basemesh", "kind": null })),
+            ["trace-base must not depend on basemesh"]
+        );
         assert!(problems("project", json!({ "name": "subdiv", "kind": "dev" })).is_empty());
     }
 

@@ -19,11 +19,13 @@ pub(super) fn packages(metadata: &Value, workspace_only: bool) -> impl Iterator<
     all.filter(move |p| !workspace_only || members.contains(&&p["id"]))
 }
 
-/// The folders of the crates of the workspace, from the workspace's.
+/// The folders of the crates of the workspace, from the workspace's, in order.
 pub(super) fn folders(metadata: &Value) -> Vec<String> {
     let manifests = packages(metadata, true).map(|p| Path::new(text(p, "manifest_path")));
     let folders = manifests.filter_map(|manifest| manifest.parent()?.strip_prefix(root()).ok());
-    folders.map(|folder| folder.display().to_string()).collect()
+    let mut folders: Vec<String> = folders.map(|folder| folder.display().to_string()).collect();
+    folders.sort();
+    folders
 }
 
 /// A text field of a package.
