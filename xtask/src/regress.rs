@@ -1,4 +1,4 @@
-//! Remeshes the fixtures, and a folder of models when there is one, with the release binary.
+//! Remeshes the fixtures, and models when there are some, with the release binary.
 //!
 //! Every fixture's figures are compared with those in `fixtures/expected.json`, and our distances with libigl's. Models have no
 //! stored figures: there a refusal is fine, while a panic, a hang or a result that does not check is not. The base mesh of every
@@ -7,7 +7,7 @@
 mod expected;
 mod oracle;
 
-use crate::models::files;
+use crate::models::{files, split_named};
 use crate::process::target_directory;
 use crate::remesher::{HEADER, LIMIT, Outcome, Remesher, Request};
 use crate::root;
@@ -20,12 +20,18 @@ use std::time::Duration;
 
 #[derive(clap::Args, Default)]
 pub(crate) struct Args {
-    /// A folder of models to run too, with the table of their figures [default: the environment's SEMIREG_MODELS]
+    /// A folder of models to run too, all of them [default: a dozen named ones of the folder in the environment's SEMIREG_MODELS]
     #[arg(long)]
     models: Option<PathBuf>,
-    /// Take today's figures of the fixtures as the expected ones
+    /// Take over the counts of the fixtures, and every figure that is better than the best so far; what is worse is still told
     #[arg(long)]
     update: bool,
+    /// With --update: take over all figures of this fixture, worse ones too (or that it is refused). May be repeated
+    #[arg(long, value_name = "FIXTURE", requires = "update")]
+    accept_worse: Vec<String>,
+    /// Run this program instead of building it: one of before a change, say
+    #[arg(long, value_name = "FILE")]
+    binary: Option<PathBuf>,
 }
 
 /// How far a point of a fixture may be off after a way through the base map and back, as a share of the diagonal. Models have no such
@@ -38,28 +44,41 @@ const QUICK_LIMIT: Duration = Duration::from_secs(60);
 
 /// Runs fixtures and models; fails when anything is worse than it should be.
 pub(crate) fn run(args: &Args) -> Result<()> {
-    let within = |limit| Remesher::build("regress", limit);
-    let mut problems = fixtures(&within(LIMIT)?, &target_directory()?, args.update)?;
+    let within = |limit| match &args.binary {
+        Some(binary) => Remesher::of(binary, "regress", limit),
+        None => Remesher::build("regress", limit),
+    };
+    let mut problems = fixtures(&within(LIMIT)?, &target_directory()?, args)?;
     match (&args.models, std::env::var_os("SEMIREG_MODELS").map(PathBuf::from)) {
-        (Some(folder), _) => problems.extend(models(&within(LIMIT)?, folder, Outcome::fault)?),
-        (None, Some(folder)) => problems.extend(models(&within(QUICK_LIMIT)?, &folder, Outcome::fault_but_time)?),
-        (None, None) => println!("no folder of models: give --models DIR or set SEMIREG_MODELS to run one"),
+        (Some(folder), _) => problems.extend(models(&within(LIMIT)?, folder, files(folder)?, Outcome::fault)?),
+        (None, Some(folder)) => {
+            let (named, missing) = split_named(files(&folder)?);
+            for name in missing {
+                println!("skipped: {} has no {name}", folder.display());
+            }
+            println!("of this folder only named models are run: for the whole of it, cargo xtask regress --models DIR");
+            problems.extend(models(&within(QUICK_LIMIT)?, &folder, named, Outcome::fault_but_time)?);
+        }
+        (None, None) => println!("no models were run: give a folder of them with --models DIR, or set SEMIREG_MODELS"),
     }
     for problem in &problems {
         eprintln!("worse: {problem}");
     }
     match problems.len() {
         0 => Ok(()),
-        n => bail!("{n} figures are worse than they should be; where that is meant, run with --update"),
+        n => bail!(
+            "{n} figures are worse than they should be; where that is meant, --update --accept-worse FIXTURE takes them over"
+        ),
     }
 }
 
-fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<String>> {
+fn fixtures(remesher: &Remesher, target: &Path, args: &Args) -> Result<Vec<String>> {
     let data = root().join("fixtures/data");
     let mut expected = Expected::load(&root().join("fixtures/expected.json"), &files(&data)?)?;
+    expected.must_have(&args.accept_worse)?;
     let mut problems = Vec::new();
     let mut pairs = Vec::new();
-    println!("{}", HEADER);
+    println!("{} fixtures, compared with fixtures/expected.json\n{HEADER}", expected.fixtures.len());
     for (file, entry) in &mut expected.fixtures {
         let input = data.join(file);
         let request = Request { base_vertices: Some(entry.base_vertices), levels: entry.levels, ..Request::of(&input) };
@@ -67,15 +86,16 @@ fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<Stri
         println!("{}", outcome.row(file));
         let faults = [outcome.fault(), remesher.base(&request, MAX_ROUND_TRIP)?.fault()];
         problems.extend(faults.into_iter().flatten().map(|fault| format!("{file}: {fault}")));
-        match update {
-            true => entry.take(&outcome),
-            false => problems.extend(entry.compare(&outcome).into_iter().map(|p| format!("{file}: {p}"))),
-        }
+        let worse = match args.update {
+            true => entry.update(&outcome, args.accept_worse.contains(file)),
+            false => entry.compare(&outcome),
+        };
+        problems.extend(worse.into_iter().map(|problem| format!("{file}: {problem}")));
         if let Outcome::Remeshed { output, report, .. } = outcome {
             pairs.push(oracle::Pair { name: file.clone(), input, output, report });
         }
     }
-    if update {
+    if args.update {
         expected.save()?;
     } else {
         problems.extend(expected.new.iter().map(|file| format!("{file} is not in expected.json: run with --update")));
@@ -85,9 +105,8 @@ fn fixtures(remesher: &Remesher, target: &Path, update: bool) -> Result<Vec<Stri
 }
 
 /// As many models at a time as there are processors, each on one thread; rows are printed as they come.
-fn models(remesher: &Remesher, folder: &Path, fault: fn(&Outcome) -> Option<String>) -> Result<Vec<String>> {
-    println!("\n{}", HEADER);
-    let files = files(folder)?;
+fn models(remesher: &Remesher, folder: &Path, files: Vec<String>, fault: fn(&Outcome) -> Option<String>) -> Result<Vec<String>> {
+    println!("\n{} models, each remeshed and checked\n{HEADER}", files.len());
     let next = AtomicUsize::new(0);
     let work = || -> Result<Vec<String>> {
         let mut problems = Vec::new();

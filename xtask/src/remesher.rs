@@ -58,13 +58,14 @@ impl Remesher {
     /// The release binary, built first; its results go into a folder of this name under the target folder.
     pub(crate) fn build(folder: &str, limit: Duration) -> Result<Self> {
         must(&mut cargo(&["build", "--release", "-p", "cli"]))?;
-        let target = target_directory()?;
-        Self::new(&target.join("release/semireg"), &target.join(folder), limit)
+        Self::of(&target_directory()?.join("release/semireg"), folder, limit)
     }
 
-    fn new(binary: &Path, folder: &Path, limit: Duration) -> Result<Self> {
-        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        Ok(Self { binary: binary.to_owned(), folder: folder.to_owned(), limit })
+    /// A binary that is there; its results go into a folder of this name under the target folder.
+    pub(crate) fn of(binary: &Path, folder: &str, limit: Duration) -> Result<Self> {
+        let folder = target_directory()?.join(folder);
+        fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        Ok(Self { binary: binary.to_owned(), folder, limit })
     }
 
     /// Remeshes and checks the result.
