@@ -18,8 +18,14 @@ pub(crate) fn name_inside(path: &Path) -> Option<PathBuf> {
     is_packed.then(|| path.with_extension(""))
 }
 
+/// What a gzip file begins with.
+const FIRST_BYTES: [u8; 2] = [0x1f, 0x8b];
+
 /// The contents of a gzip file; several parts one after the other are taken as one.
 pub(crate) fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
+    if !bytes.iter().zip(FIRST_BYTES).all(|(found, first)| *found == first) {
+        return Err(Fault::packed("its name ends in .gz, but it is no gz file"));
+    }
     let most = (MOST_GROWTH * bytes.len() as u64).clamp(ALWAYS_ALLOWED, NEVER_ALLOWED);
     let mut contents = Vec::new();
     MultiGzDecoder::new(bytes).take(most + 1).read_to_end(&mut contents).map_err(fault)?;
@@ -33,6 +39,6 @@ pub(crate) fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
 fn fault(error: std::io::Error) -> Fault {
     match error.kind() {
         ErrorKind::UnexpectedEof => Fault::packed("the gz file is cut off"),
-        _ => Fault::packed(format!("the gz file is damaged or none ({error})")),
+        _ => Fault::packed(format!("the gz file is damaged ({error})")),
     }
 }

@@ -68,7 +68,7 @@ fn read_text(bytes: &[u8]) -> Result<Document, Fault> {
     // Solids with facets, and whether the present one has had none yet.
     let (mut solids, mut is_new) = (0, true);
     while let Some(word) = words.next() {
-        match word.to_ascii_lowercase().as_str() {
+        match keyword(word, &mut words)?.as_str() {
             "solid" => {
                 is_new = true;
                 words.end_line();
@@ -79,7 +79,7 @@ fn read_text(bytes: &[u8]) -> Result<Document, Fault> {
                 let corners = facet(&mut words)?;
                 push_facet(&mut builder, &corners);
             }
-            _ => return Err(Fault::line(words.line(), format!("{} where a facet should begin", quoted(word)))),
+            other => return Err(Fault::line(words.line(), format!("{} where a facet should begin", quoted(other)))),
         }
     }
     builder.extras.note(Extra::Parts(solids));
@@ -96,7 +96,8 @@ fn facet(words: &mut Words) -> Result<Vec<DVec3>, Fault> {
     expect(words, "loop")?;
     let mut corners = Vec::new();
     loop {
-        match words.expect(|| "a facet".to_owned())?.to_ascii_lowercase().as_str() {
+        let word = words.expect(|| "a facet".to_owned())?;
+        match keyword(word, words)?.as_str() {
             "vertex" => corners.push(vertex(words)?),
             "endloop" if corners.len() < 3 => {
                 return Err(Fault::line(words.line(), format!("a facet of {} corners", corners.len())));
@@ -119,10 +120,19 @@ fn vertex(words: &mut Words) -> Result<DVec3, Fault> {
 
 fn expect(words: &mut Words, wanted: &str) -> Result<(), Fault> {
     let word = words.expect(|| "a facet".to_owned())?;
-    if word.eq_ignore_ascii_case(wanted) {
-        return Ok(());
+    match keyword(word, words)? {
+        found if found == wanted => Ok(()),
+        _ => Err(Fault::line(words.line(), format!("{} where \"{wanted}\" should be", quoted(word)))),
     }
-    Err(Fault::line(words.line(), format!("{} where \"{wanted}\" should be", quoted(word))))
+}
+
+/// A keyword in small letters; some programs write `end solid` in two words.
+fn keyword(word: &str, words: &mut Words) -> Result<String, Fault> {
+    let mut keyword = word.to_ascii_lowercase();
+    if keyword == "end" {
+        keyword += &words.expect(|| "a keyword".to_owned())?.to_ascii_lowercase();
+    }
+    Ok(keyword)
 }
 
 fn push_facet(builder: &mut Builder, corners: &[DVec3]) {

@@ -71,9 +71,14 @@ fn what_is_damaged_or_no_gz_file_is_told() {
     let mut changed = gz(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let checksum = changed.len() - 8;
     changed[checksum] ^= 1;
-    for bytes in [changed.as_slice(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"] {
+    for (bytes, part) in [
+        (changed.as_slice(), "the gz file is damaged"),
+        (b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "it is no gz file"),
+        (b"v", "it is no gz file"),
+        (b"", "the gz file is cut off"),
+    ] {
         let said = refused("scan.obj.gz", bytes).to_string();
-        assert!(said.contains("the gz file is damaged or none"), "{said}");
+        assert!(said.contains(part), "{said}");
     }
 }
 

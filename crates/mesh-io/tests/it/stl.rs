@@ -20,6 +20,7 @@ fn layouts_that_files_have() {
     let layouts = [
         format!("solid\n{FACET}endsolid x"),
         format!("solid x\n{FACET}"),
+        format!("solid x\n{}end solid\n", FACET.replace("end", "end ")),
         format!("  SOLID x\n{}ENDSOLID\n", FACET.to_uppercase()),
         format!("\u{feff}solid x\n{FACET}"),
         format!("solid x\r\n{}", FACET.replace('\n', "\r\n")),
