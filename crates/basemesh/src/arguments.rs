@@ -48,6 +48,7 @@ pub(crate) fn check_sites(surface: &Surface, cells: &Cells, sites: &Sites) -> Re
         let n = a.vertices.len();
         n > 1
             && (a.halfedges.len() + 1, a.lengths.len()) == (n, n)
+            && a.lengths.iter().all(|l| l.is_finite())
             && a.vertices.iter().all(|v| v.index() < n_vertices)
             && a.halfedges.iter().all(|h| h.index() < 3 * n_faces)
             && a.corners.iter().all(|c| c.index() < cells.corners.len())

@@ -9,7 +9,7 @@ mod flips;
 mod shape;
 mod straight_corners;
 
-use crate::editor::{Editor, Filling, Hole, Removal};
+use crate::editor::{Checkpoint, Editor, Filling, Hole, Removal};
 use crate::{BaseError, BaseOptions};
 use flips::{flip_edges, settle};
 use mesh_core::{VertexId, equilateral_edge_length};
@@ -38,6 +38,11 @@ const MOST_FOLDED: f64 = 0.1;
 const FOLD_WORTH: usize = 10;
 /// Where corners and arcs need more vertices than asked, the other edges get longer by at most this factor to make up for it.
 const MOST_STRETCHED: f64 = 1.6;
+/// Splitting stops at so many vertices, or at [`SPLIT_TIMES`] those wanted: where a sizing field asks for edges that are far too short,
+/// each round would make four times the faces of the one before. No mesh that was measured comes near to it.
+const MOST_SPLIT: usize = 10_000;
+/// See [`MOST_SPLIT`].
+const SPLIT_TIMES: usize = 30;
 /// A pass that closes less than this share of the gap to the wanted number of vertices is the last: corners and arcs don't allow
 /// more.
 const LEAST_PROGRESS: f64 = 0.05;
@@ -61,13 +66,28 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
         return;
     }
     // eq. 3, then adapted: on a curved surface, along creases and with a sizing field the count at a length is not known before.
-    let area = editor.surface_area();
-    let mean_length = |n: usize| equilateral_edge_length(area, n.max(4));
-    let mut length = mean_length(options.base_vertices);
+    let length = mean_length(editor, options.base_vertices);
     flip_edges(editor);
-    // From many vertices down in small steps: a star of twenty triangles has no flat layout that is like it.
-    let mut start = mean_length(editor.n_vertices());
-    while start < length / COARSENING {
+    coarsen(editor, sizing, length);
+    editor.close_gaps();
+    best_of_rounds(editor, sizing, options, length);
+    open_straight_corners(editor);
+    flip_edges(editor);
+    meet_count(editor, sizing, options.base_vertices);
+    open_straight_corners(editor);
+    flip_edges(editor);
+}
+
+/// The length of the edges of `n` equilateral triangles that cover the surface.
+fn mean_length(editor: &Editor<'_>, n: usize) -> f64 {
+    equilateral_edge_length(editor.surface_area(), n.max(4))
+}
+
+/// Comes from many vertices down to edges of about this length in small steps: a star of twenty triangles has no flat layout that is
+/// like it.
+fn coarsen(editor: &mut Editor<'_>, sizing: &Sizing, length: f64) {
+    let mut start = mean_length(editor, editor.n_vertices());
+    while start < length / COARSENING && !editor.is_interrupted() {
         start *= COARSENING;
         collapse_short(editor, sizing, SHORT * start, LONG * start);
         // Far from the wanted length the moves of one step are undone by the next.
@@ -78,10 +98,18 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
         }
         collapse_folded(editor);
     }
-    let mut best: Option<(usize, Editor<'_>)> = None;
+}
+
+/// Splits, collapses, flips and moves round after round, with a length that is adapted to the count, and keeps the best round.
+fn best_of_rounds(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions, mut length: f64) {
+    let mut best: Option<(usize, Checkpoint)> = None;
     let longest_wanted = MOST_STRETCHED * length;
+    let most_vertices = MOST_SPLIT.max(SPLIT_TIMES * options.base_vertices).max(2 * editor.n_vertices());
     for _ in 0..options.rounds {
-        split_long(editor, sizing, LONG * length);
+        if editor.is_interrupted() {
+            return;
+        }
+        split_long(editor, sizing, LONG * length, most_vertices);
         collapse_short(editor, sizing, SHORT * length, LONG * length);
         settle(editor);
         collapse_folded(editor);
@@ -91,20 +119,15 @@ fn improve(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOptions) {
         let folded = n_folded(editor);
         let cost = FOLD_WORTH * folded + editor.n_vertices().abs_diff(options.base_vertices);
         if best.as_ref().is_none_or(|(least, _)| cost <= *least) {
-            best = Some((cost, editor.clone()));
+            best = Some((cost, editor.checkpoint()));
         }
         if folded as f64 > MOST_FOLDED * editor.faces().len() as f64 {
             break;
         }
     }
     if let Some((_, best)) = best {
-        *editor = best;
+        editor.restore(best);
     }
-    open_straight_corners(editor);
-    flip_edges(editor);
-    meet_count(editor, sizing, options.base_vertices);
-    open_straight_corners(editor);
-    flip_edges(editor);
 }
 
 /// Edges with their lengths over what the sizing field says, the longest first: at least those with one in `range`.
@@ -121,8 +144,12 @@ fn by_length(editor: &mut Editor<'_>, sizing: &Sizing, range: Range<f64>) -> Vec
     edges
 }
 
-fn split_long(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64) {
+/// Splits edges longer than `limit`, the longest first, until there are `most_vertices`.
+fn split_long(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64, most_vertices: usize) {
     for (length, [a, b]) in by_length(editor, sizing, limit..f64::INFINITY) {
+        if editor.n_vertices() >= most_vertices || editor.is_interrupted() {
+            return;
+        }
         if length > limit && editor.is_edge(a, b) {
             editor.split(a, b);
         }
@@ -131,6 +158,9 @@ fn split_long(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64) {
 
 fn collapse_short(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64, longest: f64) {
     for (length, [a, b]) in by_length(editor, sizing, 0.0..limit).into_iter().rev() {
+        if editor.is_interrupted() {
+            return;
+        }
         if length < limit && editor.is_edge(a, b) {
             collapse_edge(editor, a, b, longest * editor.size(sizing, a).min(editor.size(sizing, b)));
         }
@@ -175,17 +205,17 @@ fn take_best(editor: &mut Editor<'_>, ways: &[(&Hole, Filling<'_>)], may_be: imp
 
 /// Splits the longest and collapses the shortest edges until the number of vertices is the one wanted.
 fn meet_count(editor: &mut Editor<'_>, sizing: &Sizing, wanted: usize) {
-    while editor.n_vertices() != wanted {
+    while editor.n_vertices() != wanted && !editor.is_interrupted() {
         let before = editor.n_vertices();
         if before < wanted {
             for (_, [a, b]) in by_length(editor, sizing, 0.0..f64::INFINITY).into_iter().take((wanted - before).div_ceil(2)) {
-                if editor.is_edge(a, b) && editor.n_vertices() < wanted {
+                if editor.is_edge(a, b) && editor.n_vertices() < wanted && !editor.is_interrupted() {
                     editor.split(a, b);
                 }
             }
         } else {
             for (_, [a, b]) in by_length(editor, sizing, 0.0..f64::INFINITY).into_iter().rev() {
-                if editor.is_edge(a, b) && editor.n_vertices() > wanted {
+                if editor.is_edge(a, b) && editor.n_vertices() > wanted && !editor.is_interrupted() {
                     collapse_edge(editor, a, b, f64::INFINITY);
                 }
             }

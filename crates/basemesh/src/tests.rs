@@ -119,6 +119,34 @@ proptest! {
     }
 }
 
+/// Any edits, taken back, leave what was there to the last bit; and closing gaps changes nothing.
+#[test]
+fn a_state_can_be_restored() {
+    for shape in [Shape::cube(), Shape::cylinder(), Shape::torus()] {
+        let first: Vec<(u16, u8)> = (0..60u16).map(|i| (i.wrapping_mul(7919), i as u8)).collect();
+        let (base, _) = edit(&shape, shape.base(60, 0), &first);
+        let mut editor = Editor::new(&shape.surface, base.clone());
+        let edges = editor.edges();
+        let lengths = editor.with_lengths(edges.clone());
+        let state = editor.checkpoint();
+        editor.close_gaps();
+        for (i, &[a, b]) in edges.iter().enumerate() {
+            _ = if i % 2 == 0 { editor.flip(a, b) } else { take_away(&mut editor, a, Filling::Cheapest) };
+            _ = editor.is_edge(a, b) && editor.split(a, b).is_some();
+            editor.close_gaps();
+        }
+        assert_ne!(editor.edges(), edges);
+        editor.restore(state);
+        assert_eq!(editor.with_lengths(editor.edges()), lengths);
+        let restored = editor.finish().unwrap();
+        let same = Editor::new(&shape.surface, base).finish().unwrap();
+        assert_eq!((restored.mesh(), restored.map.n_edits()), (same.mesh(), same.map.n_edits()));
+        assert_eq!(restored.domain.region.points, same.domain.region.points);
+        assert_eq!(restored.map_faces, same.map_faces);
+        shape.check(&restored);
+    }
+}
+
 #[test]
 fn most_edits_of_a_sphere_are_possible() {
     let shape = Shape::sphere();

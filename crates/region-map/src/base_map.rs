@@ -169,13 +169,13 @@ struct MapFace {
     origin: Origin,
     layout: [DVec2; 3],
     /// The edit that took the face away.
-    replaced_by: Option<usize>,
+    replaced_by: Option<u32>,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Origin {
     Chart(ChartId),
-    Edit(usize),
+    Edit(u32),
 }
 
 /// A flat polygon, triangulated in two ways: the faces that go, by their places in [`BaseMap::replaced`], and those that come.
@@ -255,7 +255,7 @@ impl BaseMap {
         if (before - after).abs() > 1e-9 * before || old.iter().any(|(f, _)| !self.is_present(*f)) {
             return Err(MapError::Uncovered);
         }
-        let edit = self.edits.len();
+        let edit = self.edits.len() as u32;
         for (f, _) in old {
             self.faces[*f].replaced_by = Some(edit);
         }
@@ -265,6 +265,20 @@ impl BaseMap {
         self.replaced.extend_from_slice(old);
         self.edits.push(Edit { old: first_old..self.replaced.len(), new: first_new..self.faces.len() });
         Ok(made)
+    }
+
+    /// Takes back all edits but the first `n_edits`: the map is again what it was after these.
+    pub fn undo_to(&mut self, n_edits: usize) {
+        let Some(Edit { old, new }) = self.edits.get(n_edits).cloned() else { return };
+        self.edits.truncate(n_edits);
+        let mut faces = std::mem::take(&mut self.faces).into_vec();
+        faces.truncate(new.start);
+        for (f, _) in self.replaced.drain(old.start..) {
+            if let Some(face) = faces.get_mut(f.index()) {
+                face.replaced_by = None;
+            }
+        }
+        self.faces = IdVec::from_vec(faces);
     }
 
     /// The point of the working mesh at barycentric coordinates of a base face: the history run backwards.
@@ -293,15 +307,15 @@ impl BaseMap {
         while let Some(edit) = self.faces[face].replaced_by {
             let layout = &self.old_faces(edit).iter().find(|(f, _)| *f == face)?.1;
             let p = at(layout, barycentric);
-            let new = self.edits[edit].new.clone().map(MapFaceId::new);
+            let new = self.edits[edit as usize].new.clone().map(MapFaceId::new);
             (face, barycentric) = containing(new.map(|f| (f, &self.faces[f].layout)), p, face);
         }
         Some((face, barycentric))
     }
 
     /// The faces that an edit took away, in its layout.
-    fn old_faces(&self, edit: usize) -> &[(MapFaceId, [DVec2; 3])] {
-        &self.replaced[self.edits[edit].old.clone()]
+    fn old_faces(&self, edit: u32) -> &[(MapFaceId, [DVec2; 3])] {
+        &self.replaced[self.edits[edit as usize].old.clone()]
     }
 }
 

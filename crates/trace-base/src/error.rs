@@ -54,6 +54,9 @@ pub enum Untraced {
     /// A base vertex has come to a place that is not finite: a bug of ours.
     #[error("internal error: a base vertex is at no finite place; please report this")]
     NotFinite,
+    /// The work on the surface was told to end (`Surface::interrupt`).
+    #[error("tracing the base mesh was interrupted")]
+    Interrupted,
     /// The region of a face is too long or too winding to be laid flat.
     #[error("the region of base face {0} cannot be laid flat")]
     Chart(FaceId),

@@ -24,8 +24,7 @@ pub fn retrace(surface: &Surface, base: &BaseMesh) -> Result<BaseMesh, Untraced>
     let Domain { mesh, topology, region } = &base.domain;
     check(surface, base)?;
     let tied = Tied {
-        mesh: surface.mesh(),
-        network: surface.network(),
+        surface,
         base: mesh,
         topology,
         corners: &corners(surface.network(), region).ok_or(Untraced::OtherSurface)?,

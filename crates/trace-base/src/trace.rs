@@ -56,8 +56,7 @@ pub fn trace(surface: &Surface, base: &TriMesh) -> Result<Traced, TraceError> {
     let mut region = region_map(&surface, &foreign, &attached).map_err(TraceError::NoPlace)?;
     region.check(&foreign.topology, surface.network())?;
     let tied = Tied {
-        mesh: surface.mesh(),
-        network: surface.network(),
+        surface: &surface,
         base: &foreign.mesh,
         topology: &foreign.topology,
         corners: &attached.corners,

@@ -9,7 +9,7 @@ use crate::paths::Paths;
 use crate::stops::{Stop, cut_at_stops};
 use glam::DVec3;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
-use region_map::{ArcId, Attachment, BaseMap, CornerId, Network, RegionMap};
+use region_map::{ArcId, Attachment, BaseMap, CornerId, RegionMap, Surface};
 
 /// Points on working edges, where paths may cross them, are this share of a mean base edge apart.
 const SPACING: f64 = 0.06;
@@ -20,9 +20,8 @@ const TRIES: usize = 12;
 
 /// A base mesh, the network that it follows, and where its edges shall run.
 pub(crate) struct Tied<'a> {
-    /// The working mesh.
-    pub(crate) mesh: &'a TriMesh,
-    pub(crate) network: &'a Network,
+    /// The surface, with the network that the base mesh follows.
+    pub(crate) surface: &'a Surface,
     pub(crate) base: &'a TriMesh,
     /// Of the base mesh.
     pub(crate) topology: &'a Topology,
@@ -46,7 +45,7 @@ impl Tied<'_> {
                 Err(untraced) => untraced,
             };
             let edges = self.edges_of(untraced);
-            if first.starts_with(&edges) {
+            if first.starts_with(&edges) || untraced == Untraced::Interrupted {
                 return Err(untraced);
             }
             first.splice(0..0, edges);
@@ -56,7 +55,7 @@ impl Tied<'_> {
 
     fn edges_of(&self, untraced: Untraced) -> Vec<EdgeId> {
         let ends = match untraced {
-            Untraced::OtherSurface | Untraced::NotFinite => vec![],
+            Untraced::OtherSurface | Untraced::NotFinite | Untraced::Interrupted => vec![],
             Untraced::Edge(a, b) => vec![[a, b]],
             Untraced::Face(f) | Untraced::Chart(f) => {
                 let [a, b, c] = self.base.face(f);
@@ -69,6 +68,9 @@ impl Tied<'_> {
     fn try_map(&self, region: &mut RegionMap, first: &[EdgeId]) -> Result<BaseMap, Untraced> {
         let mut tracer = Tracer::new(self, region)?;
         for e in tracer.order(first) {
+            if self.surface.interrupt().is_set() {
+                return Err(Untraced::Interrupted);
+            }
             tracer.trace(e)?;
         }
         let map = charts(tracer.cut.clone(), self.base, &tracer.paths)?;
@@ -102,8 +104,8 @@ struct Tracer<'a> {
 impl<'a> Tracer<'a> {
     /// Makes walls of all arcs, and vertices of all base vertices.
     fn new(tied: &'a Tied<'a>, region: &RegionMap) -> Result<Self, Untraced> {
-        let mut cut = CutMesh::new(tied.mesh);
-        let network = tied.network;
+        let mut cut = CutMesh::new(tied.surface.mesh());
+        let network = tied.surface.network();
         let mut vertices: IdVec<VertexId, Option<u32>> = IdVec::filled(None, tied.base.n_vertices());
         for arc in &network.arcs {
             arc.vertices.windows(2).for_each(|w| cut.wall(w[0].0, w[1].0));

@@ -13,7 +13,6 @@ use rustc_hash::FxHashMap;
 /// The direction of an arc at a vertex is that to the point this far along the edge.
 const NEAR_START: f64 = 0.1;
 /// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
-#[derive(Clone)]
 pub(crate) struct Editor<'a> {
     pub(super) surface: &'a Surface,
     pub(super) faces: IdVec<FaceId, Option<Face>>,
@@ -61,6 +60,10 @@ impl<'a> Editor<'a> {
         }
     }
 
+    /// Whether the work on the surface shall end.
+    pub(crate) fn is_interrupted(&self) -> bool {
+        self.surface.interrupt().is_set()
+    }
     /// Number of vertices now.
     pub(crate) fn n_vertices(&self) -> usize {
         self.n_vertices

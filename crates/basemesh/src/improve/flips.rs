@@ -18,6 +18,9 @@ pub(crate) fn settle(editor: &mut Editor<'_>) {
     for _ in 0..MOVES {
         flip_edges(editor);
         for v in editor.vertices() {
+            if editor.is_interrupted() {
+                return;
+            }
             if !editor.relax_vertex(v) {
                 editor.slide_vertex(v);
             }
@@ -32,6 +35,9 @@ pub(crate) fn flip_edges(editor: &mut Editor<'_>) {
     for _ in 0..FLIP_PASSES {
         let mut changed = Vec::new();
         for [a, b] in edges {
+            if editor.is_interrupted() {
+                return;
+            }
             if flip_gain(editor, a, b) > LEAST_GAIN {
                 changed.extend(flip_unless_it_winds(editor, a, b).into_iter().flatten());
             }

@@ -211,8 +211,13 @@ proptest! {
         // For every side its quadrilateral's two faces, the way it is cut, and what their splits made.
         let mut quads: Vec<([MapFaceId; 2], usize)> = (0..6).map(|i| ([MapFaceId(2 * i), MapFaceId(2 * i + 1)], 0)).collect();
         let mut splits: Vec<([MapFaceId; 3], DVec3)> = Vec::new();
+        let half = steps.len() / 2;
+        let mut at_half = (map.clone(), Vec::new());
         let mut present: Vec<MapFaceId> = (0..12).map(MapFaceId).collect();
-        for (side, step) in steps {
+        for (i, (side, step)) in steps.into_iter().enumerate() {
+            if i == half {
+                at_half = (map.clone(), present.clone());
+            }
             let (old, new) = match step {
                 Step::Flip(out) => {
                     let (faces, cut) = quads[side];
@@ -244,5 +249,13 @@ proptest! {
             present.extend(new);
         }
         check_round_trip(&mesh, &map, |f| present.contains(&f));
+        // Back to the middle of the history.
+        let (half_map, half_present) = at_half;
+        map.undo_to(half_map.n_edits());
+        prop_assert_eq!(map.n_edits(), half_map.n_edits());
+        check_round_trip(&mesh, &map, |f| half_present.contains(&f));
+        for face in half_present {
+            prop_assert_eq!(map.locate(face, DVec3::ONE / 3.0), half_map.locate(face, DVec3::ONE / 3.0));
+        }
     }
 }
