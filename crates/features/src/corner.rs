@@ -4,10 +4,12 @@ use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId, angles};
 use region_map::{Arc, ArcKind, Network, spokes};
 use std::f64::consts::TAU;
 
-/// A chain that turns by more than this has a corner, in degrees (prior art 2a).
+/// A chain that turns by more than this has a corner, in degrees. A smaller angle puts corners on rounded borders, a greater one cuts true corners off.
 const TURN: f64 = 60.0;
 /// How far from a vertex its turn is measured, in base edge lengths: far enough to see past the zigzag of a fine scan.
 const WINDOW: f64 = 0.25;
+/// The window is at most this share of its arc, so that the two windows at a vertex do not reach round a closed arc.
+const WINDOW_SHARE: f64 = 0.25;
 /// At a true corner half the window sees at least this share of the turn; on a circle it sees one half.
 const CONCENTRATION: f64 = 0.75;
 /// Least angle defect of a cone tip, in radians: a cone whose sides stand 65 degrees off its axis has 0.6.
@@ -22,7 +24,7 @@ pub(crate) fn sharp_turns(mesh: &TriMesh, network: &Network, base_edge_length: f
 
 fn turns_of(mesh: &TriMesh, arc: &Arc, window: f64) -> Vec<VertexId> {
     let n = arc.halfedges.len();
-    let window = window.min(0.25 * arc.length());
+    let window = window.min(WINDOW_SHARE * arc.length());
     let inner = if arc.is_loop() { 0..n } else { 1..n };
     let turns: Vec<(usize, f64)> = inner
         .filter_map(|i| {

@@ -1,4 +1,4 @@
-//! How much the surface jumps at an edge, at a scale that noise is below of.
+//! By how much the surface turns at an edge, measured over regions that are larger than the noise of a scan.
 //!
 //! A dihedral angle is one of two triangles, and on a scan one of two noisy ones. The mean normals of a small region on each side tell
 //! creases from noise, where they are the same, and from round ridges, where they go on turning on both sides.
@@ -11,7 +11,7 @@ use std::collections::VecDeque;
 
 /// Radius of the region on each side, in base edge lengths.
 const REACH: f64 = 0.25;
-/// Faces that turn from the first one by an angle of less than this cosine are in no region: all round a pin normals cancel.
+/// Cosine of the angle to the first face of a region up to which faces belong to it: all round a pin, normals would cancel.
 const MOST_TURN: f64 = 0.5;
 /// Faces of a region at most, for inputs much finer than their base mesh.
 const MOST_FACES: usize = 200;

@@ -5,14 +5,16 @@
 //!
 //! ```
 //! use features::{FeatureOptions, detect};
-//! use mesh_core::Topology;
+//! use mesh_core::{Topology, TriMesh};
 //!
-//! // A cube has 12 arcs between 8 corners; the rims of a cylinder are closed arcs without any.
-//! for (mesh, expected) in [(fixtures::cube(4), (8, 12, 6)), (fixtures::cylinder(1.0, 2.0, 48), (0, 2, 3))] {
-//!     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-//!     let network = detect(&mesh, &topology, &[], 0.4, &FeatureOptions::default())?;
-//!     assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), expected);
-//! }
+//! // A cube of twelve triangles has 12 arcs between 8 corners, and no marked edges. Length 0 keeps all creases.
+//! let positions = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from));
+//! let squares = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+//! let faces = squares.map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).concat();
+//! let mesh = TriMesh::from_slices(&positions, &faces)?;
+//! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
+//! let network = detect(&mesh, &topology, &[], 0.0, &FeatureOptions::default())?;
+//! assert_eq!((network.corners.len(), network.arcs.len(), network.n_sheets), (8, 12, 6));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

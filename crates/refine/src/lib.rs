@@ -6,11 +6,12 @@
 //! The point set of the surface stays what it is, but where edges are contracted that are much shorter than any of the result's.
 //!
 //! ```
-//! use mesh_core::Topology;
+//! use mesh_core::{Topology, TriMesh};
 //! use refine::{RefineOptions, refine};
 //!
-//! // A box of twelve triangles.
-//! let mesh = fixtures::cuboid(glam::DVec3::ONE, 1);
+//! // A rectangle of two triangles, without marked edges.
+//! let corners = [[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.0, 3.0, 0.0], [0.0, 3.0, 0.0]];
+//! let mesh = TriMesh::from_slices(&corners, &[[0, 1, 2], [0, 2, 3]])?;
 //! let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
 //! let refined = refine(&mesh, &topology, &[], &RefineOptions::new(0.2))?;
 //! assert!(refined.topology.edge_ids().all(|e| {
@@ -22,7 +23,7 @@
 //! ```
 
 mod contract;
-mod draft;
+mod editable_mesh;
 mod options;
 mod refine;
 

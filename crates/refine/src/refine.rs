@@ -1,7 +1,7 @@
 //! The stage: short creases contracted, flips in planes, splits of long edges.
 
 use crate::contract::contract;
-use crate::draft::Draft;
+use crate::editable_mesh::EditableMesh;
 use crate::options::{RefineError, RefineOptions};
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id as _, IdVec, Topology, TriMesh, VertexId};
@@ -39,19 +39,19 @@ pub fn refine(
     options.check()?;
     check(mesh, topology, marked)?;
     let contracted = contract(mesh, topology, marked, options)?;
-    let (draft, marked, contractions) = match &contracted {
-        Some(c) => (Draft::new(&c.mesh, &c.topology, c.source.clone()), &c.marked[..], c.contractions),
-        None => (Draft::new(mesh, topology, mesh.faces().ids().collect()), marked, 0),
+    let (editable, marked, contractions) = match &contracted {
+        Some(c) => (EditableMesh::new(&c.mesh, &c.topology, c.source.clone()), &c.marked[..], c.contractions),
+        None => (EditableMesh::new(mesh, topology, mesh.faces().ids().collect()), marked, 0),
     };
     let mut refiner = Refiner {
         tolerance: options.flatness * mesh.diagonal(),
         marked: marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect(),
-        draft,
+        mesh: editable,
         contractions,
         flips: 0,
         splits: 0,
     };
-    let all: Vec<HalfedgeId> = refiner.draft.halfedges().collect();
+    let all: Vec<HalfedgeId> = refiner.mesh.halfedges().collect();
     refiner.flip_to_delaunay(all);
     refiner.halve(options.longest_edge, options.most_faces(mesh.n_faces()));
     refiner.finish()
@@ -77,7 +77,7 @@ const MOST_FLIPS: usize = 20;
 const NO_HEIGHT: f64 = 1e-6;
 
 struct Refiner {
-    draft: Draft,
+    mesh: EditableMesh,
     /// Ends in rising order.
     marked: FxHashSet<[VertexId; 2]>,
     tolerance: f64,
@@ -94,9 +94,9 @@ impl Refiner {
         let most = MOST_FLIPS * edges.len();
         let (mut flips, mut changed) = (0, Vec::new());
         while let Some(h) = edges.pop() {
-            let Some(twin) = self.draft.twin(h) else { continue };
+            let Some(twin) = self.mesh.twin(h) else { continue };
             if flips < most && self.may_flip(h, twin) {
-                let around = self.draft.flip(h, twin);
+                let around = self.mesh.flip(h, twin);
                 edges.extend(around);
                 changed.extend(around);
                 changed.push(h);
@@ -109,38 +109,38 @@ impl Refiner {
 
     /// Would the other diagonal be better, and the surface the same?
     fn may_flip(&self, h: HalfedgeId, twin: HalfedgeId) -> bool {
-        let draft = &self.draft;
-        let [a, b] = draft.ends(h);
-        let (c, d) = (draft.opposite(h), draft.opposite(twin));
-        let [pa, pb, pc, pd] = [a, b, c, d].map(|v| draft.positions[v]);
+        let mesh = &self.mesh;
+        let [a, b] = mesh.ends(h);
+        let (c, d) = (mesh.opposite(h), mesh.opposite(twin));
+        let [pa, pb, pc, pd] = [a, b, c, d].map(|v| mesh.positions[v]);
         angle(pc, pa, pb) + angle(pd, pa, pb) > std::f64::consts::PI + ANGLE_MARGIN
             && !self.marked.contains(&[a.min(b), a.max(b)])
             && is_same_surface([pa, pb, pc, pd], self.tolerance)
             && c != d
-            && !draft.are_joined(h.prev(), d)
+            && !mesh.are_joined(h.prev(), d)
     }
 
     /// Halves edges, the longest first, and flips what became possible.
     fn halve(&mut self, longest: f64, most_faces: usize) {
         let mut queue: BinaryHeap<(u64, HalfedgeId)> = BinaryHeap::new();
-        let key = |draft: &Draft, h: HalfedgeId| {
-            let length = draft.length(h);
+        let key = |mesh: &EditableMesh, h: HalfedgeId| {
+            let length = mesh.length(h);
             (length > longest).then(|| (length.to_bits(), h)) // lengths are not negative: their bits are in order
         };
-        queue.extend(self.draft.halfedges().filter_map(|h| key(&self.draft, h)));
+        queue.extend(self.mesh.halfedges().filter_map(|h| key(&self.mesh, h)));
         while let Some((bits, h)) = queue.pop() {
-            if self.draft.length(h).to_bits() != bits {
+            if self.mesh.length(h).to_bits() != bits {
                 continue; // it has been halved or flipped since
             }
-            if self.draft.faces.len() + 2 > most_faces {
+            if self.mesh.faces.len() + 2 > most_faces {
                 break;
             }
-            let ends = self.draft.ends(h);
-            let (middle, mut changed) = self.draft.split(h);
+            let ends = self.mesh.ends(h);
+            let (middle, mut changed) = self.mesh.split(h);
             self.mark_halves(ends, middle);
             self.splits += 1;
             changed.extend(self.flip_to_delaunay(changed.clone()));
-            queue.extend(changed.into_iter().filter_map(|h| key(&self.draft, h)));
+            queue.extend(changed.into_iter().filter_map(|h| key(&self.mesh, h)));
         }
     }
 
@@ -151,7 +151,7 @@ impl Refiner {
     }
 
     fn finish(self) -> Result<Refined, RefineError> {
-        let Draft { positions, faces, source, .. } = self.draft;
+        let EditableMesh { positions, faces, source, .. } = self.mesh;
         let faces: Vec<[u32; 3]> = faces.iter().map(|f| f.map(|v| v.0)).collect();
         let mesh = TriMesh::new(positions.into_vec(), faces)?;
         let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;

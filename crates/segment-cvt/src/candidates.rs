@@ -1,7 +1,7 @@
 //! Points spread evenly over a patch by area: what the Voronoi cells are made of.
 //!
-//! The paper clusters the input's vertices, so its cells follow the scanner; and a plane of two triangles has no vertex to give.
-//! Points by area do neither.
+//! The paper clusters the vertices of the input. Cells then depend on where the scanner put more of them, and a plane of two triangles has
+//! no vertex inside that could be a site. Points spread by area have neither fault.
 
 use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, SurfacePoint, TriMesh};

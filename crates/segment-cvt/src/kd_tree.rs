@@ -23,8 +23,8 @@ impl KdTree {
         Self { nodes }
     }
 
-    /// Visits points, near ones first by and by, and skips those farther from `at` than the reach. The reach is a *squared*
-    /// distance; `visit` takes an index and returns the reach from then on.
+    /// Visits the points that are not farther from `at` than the reach, roughly from near to far. The reach is a *squared* distance; `visit`
+    /// takes an index and returns the reach from then on.
     pub(crate) fn search(&self, at: DVec3, reach: f64, mut visit: impl FnMut(usize) -> f64) {
         descend(&self.nodes, at, reach, &mut visit);
     }

@@ -3,12 +3,14 @@
 //! [`sample`] takes the cells of a segmentation, a sizing field and a number of base vertices, and returns [`region_map::Sites`].
 //!
 //! ```
+//! use mesh_core::{IdVec, TriMesh};
 //! use region_map::{Cells, PatchId, Segmentation, Sizing, Surface};
 //! use segment_cvt::{CvtOptions, sample};
 //!
 //! // A rectangle of two triangles: one patch in one border loop.
-//! let surface = Surface::smooth(fixtures::plane())?;
-//! let segmentation = Segmentation { patch_of_face: surface.mesh().faces().iter().map(|_| PatchId(0)).collect(), n_patches: 1 };
+//! let corners = [[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.0, 3.0, 0.0], [0.0, 3.0, 0.0]];
+//! let surface = Surface::smooth(TriMesh::from_slices(&corners, &[[0, 1, 2], [0, 2, 3]])?)?;
+//! let segmentation = Segmentation { patch_of_face: IdVec::filled(PatchId(0), 2), n_patches: 1 };
 //! let cells = Cells::trace(&surface, &segmentation)?;
 //!
 //! let options = CvtOptions { base_vertices: 50, ..CvtOptions::default() };

@@ -1,16 +1,12 @@
 //! Patches of a fixture: `cargo run -p segment-vsa --example patches -- [MAX_PATCHES]`
 
-use mesh_core::Topology;
 use region_map::{Cells, Surface};
 use segment_vsa::{VsaOptions, segment};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let max_patches = std::env::args().nth(1).map_or(Ok(24), |a| a.parse())?;
-    let mesh = fixtures::brick(16);
-    let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    let network = features::detect(&mesh, &topology, &[], 0.0, &Default::default())?;
-    let surface = Surface::new(mesh, topology, network)?;
+    let surface = Surface::with_creases(fixtures::brick(16), 40.0)?;
     let options = VsaOptions { max_patches, ..VsaOptions::default() };
     let (segmentation, report) = segment(&surface, &options)?;
     let cells = Cells::trace(&surface, &segmentation)?;

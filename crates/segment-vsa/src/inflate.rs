@@ -1,7 +1,7 @@
 //! Tiny patches that cannot be merged take faces from their neighbours.
 //!
-//! Beside the end of a crease inside a sheet, or where a patch met itself round a neck, the disk rule needs a patch whose size it
-//! doesn't care about. Its corners become base vertices, so they should not be nearer than a base edge.
+//! The disk rule makes small patches that no other may take: beside the end of a crease inside a sheet, and where a patch that grew round a
+//! neck met itself. Corners of patches become base vertices, so those of a tiny patch would be nearer to each other than a base edge.
 
 use crate::disk::{PatchOf, can_add, can_remove, n_patches};
 use crate::measured::Measured;

@@ -37,8 +37,8 @@ pub(crate) fn merge(surface: &Measured, patch_of: &mut PatchOf, rule: &MergeRule
     before - n_patches(patch_of)
 }
 
-/// Merges all pairs that are each other's best; false when there are none. They have no patch in common, so one union can't
-/// spoil another.
+/// Merges all pairs of which each patch is the other's best partner; false when there are none. No patch is in two of these pairs, so one
+/// union does not change what another one was judged by.
 fn merge_best_pairs(surface: &Measured, patch_of: &mut PatchOf, rule: &MergeRule) -> bool {
     let n = n_patches(patch_of);
     let shapes = Shapes::of(surface, patch_of, n);

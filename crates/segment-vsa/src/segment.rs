@@ -11,13 +11,14 @@ use crate::straighten::straighten;
 use mesh_core::IdVec;
 use region_map::{PatchId, Segmentation, Surface};
 
-/// A union within the bound on the spread must not be longer than about six times its width, with a jagged border.
+/// Greatest roundness of a union within the bound on the spread. With the jagged borders of growth, a patch of 4 is about six times as long as
+/// it is wide. Less leaves more patches, more makes patches that are hard to lay flat.
 const MAX_ROUNDNESS: f64 = 4.0;
-/// The last rounds neither merge nor insert.
+/// The last rounds neither merge nor insert, so that what was merged and inserted finds its place. Fewer leave ragged patches.
 const SETTLING_ROUNDS: usize = 4;
 /// Rounds at most: nobody needs more, and a slip of the keyboard shall not run for ever.
 const MOST_ROUNDS: usize = 1000;
-/// To come down to the patch budget, normals may spread up to this angle, in degrees: less than a hemisphere.
+/// To come down to the patch budget, normals may spread up to this angle, in degrees. More than a hemisphere cannot be laid flat.
 const BUDGET_SPREAD: f64 = 75.0;
 
 /// How fine the patches are.
@@ -118,8 +119,9 @@ fn check(surface: &Measured, options: &VsaOptions) -> Result<(), VsaError> {
     Ok(())
 }
 
-/// Grows patches and refits the proxies. Every other round merges what the bound allows and adds seeds where normals spread too far;
-/// between them leftovers of growth, thin where a patch met itself, have a round to become fat patches of their own.
+/// Grows patches and refits the proxies. Every other round merges what the bound allows, and adds seeds where normals spread too far.
+///
+/// Faces that no patch could take become thin patches of their own. The rounds between give them the time to grow before they are judged.
 fn lloyd(
     surface: &Measured,
     metric: &Metric,

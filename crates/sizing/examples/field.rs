@@ -1,16 +1,12 @@
 //! Where a fixture wants shorter edges: `cargo run -p sizing --example field -- [EDGE_LENGTH]`
 
-use mesh_core::Topology;
 use region_map::Surface;
 use sizing::{SizingOptions, sizing};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let wanted: Option<f64> = std::env::args().nth(1).map(|a| a.parse()).transpose()?;
-    let mesh = fixtures::blob(20);
-    let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    let network = features::detect(&mesh, &topology, &[], 0.0, &Default::default())?;
-    let surface = Surface::new(mesh, topology, network)?;
+    let surface = Surface::with_creases(fixtures::blob(20), 40.0)?;
     let diagonal = surface.mesh().diagonal();
     let edge_length = wanted.unwrap_or(0.2 * diagonal);
     let options = SizingOptions::new(edge_length);

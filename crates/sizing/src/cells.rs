@@ -1,9 +1,12 @@
-//! Cells of about equal size: the scale at which curvature is seen. Noise is finer, limbs are coarser.
+//! Cells of about equal size, which curvature is measured between: larger than the noise of a scan, smaller than its limbs.
 
 use mesh_core::{FaceId, IdVec};
 use region_map::Surface;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+
+/// A cell reaches this many radii at most, so that it stays compact where no other centre is near.
+const MOST_REACH: f64 = 2.0;
 
 /// A partition of the faces into cells that do not cross arcs.
 pub(crate) struct Cells {
@@ -39,7 +42,7 @@ impl Cells {
                     let Some(twin) = topology.twin(h) else { continue };
                     let g = twin.face();
                     let further = d + mesh.centroid(f).distance(mesh.centroid(g));
-                    if further < distance[g] && further <= 2.0 * radius && !network.is_barrier(topology.edge(h)) {
+                    if further < distance[g] && further <= MOST_REACH * radius && !network.is_barrier(topology.edge(h)) {
                         (distance[g], cells.of_face[g]) = (further, cell);
                         queue.push(Reverse((further.to_bits(), g)));
                     }

@@ -1,7 +1,7 @@
 //! How long base edges may be at every place.
 //!
-//! Where the surface or an arc bends, edges are short enough to follow it (a limb thinner than an edge would be lost), and lengths
-//! change gradually.
+//! [`sizing`] gives lengths relative to the mean one, by default from .5 to 1.2. Where the surface or an arc bends, edges are short enough to
+//! follow it (a limb thinner than an edge would be lost); where it hardly bends they are longer; and lengths change gradually.
 //!
 //! ```
 //! use region_map::Surface;

@@ -13,7 +13,7 @@ pub struct SizingOptions {
     pub edge_length: f64,
     /// The angle in radians, above 0, that the surface may turn by along an edge; where it turns more, edges are shorter. Default 1.6, a
     /// right angle. Measured on nine models: 1.0 costs .01 to .03 of the mean quality and gains no error on smooth ones; none at all
-    /// loses the limbs of spot and doubles the error of the rocker arm.
+    /// loses the limbs of the cow *spot* and doubles the error of the rocker arm.
     pub turn: f64,
     /// Where the surface turns by this angle in radians along an edge, edges have their mean length; where it turns less they are longer,
     /// where it turns more they are shorter, by the fourth root: the error of a triangle grows as curvature times squared edge length,

@@ -1,9 +1,9 @@
 //! The field on shapes whose curvature is known.
 
 use glam::DVec3;
-use mesh_core::{Topology, TriMesh, VertexId};
+use mesh_core::{TriMesh, VertexId};
 use proptest::prelude::*;
-use region_map::{Sizing, Surface};
+use region_map::{ArcKind, Network, Sizing, Surface};
 use sizing::{SizingOptions, sizing};
 
 /// A mesh with its creases and borders.
@@ -13,9 +13,7 @@ struct Shape {
 
 impl Shape {
     fn new(mesh: TriMesh) -> Self {
-        let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let network = features::detect(&mesh, &topology, &[], 0.0, &Default::default()).unwrap();
-        Self { surface: Surface::new(mesh, topology, network).unwrap() }
+        Self { surface: Surface::with_creases(mesh, 40.0).unwrap() }
     }
 
     /// The field, and what it promises anywhere: the range, and the gradation along every edge.
@@ -56,10 +54,19 @@ fn sphere_with_limb(length: f64, width: f64) -> TriMesh {
     })
 }
 
+/// A rectangle: its border is four arcs between corners, or it would bend there.
+fn rectangle() -> Shape {
+    let smooth = Surface::smooth(fixtures::plane()).unwrap();
+    let (mesh, topology) = (smooth.mesh(), smooth.topology());
+    let kinds = ArcKind::by_angle(mesh, topology, 40.0);
+    let network = Network::trace(mesh, topology, &kinds, |_| true, Vec::new()).unwrap();
+    Shape { surface: smooth.with_network(network).unwrap() }
+}
+
 #[test]
 fn flat_sides_have_the_greatest_length_everywhere() {
-    for mesh in [fixtures::plane(), fixtures::cube(1), fixtures::cube(6), fixtures::l_block(3)] {
-        let shape = Shape::new(mesh);
+    let with_creases = [fixtures::cube(1), fixtures::cube(6), fixtures::l_block(3)].map(Shape::new);
+    for shape in with_creases.into_iter().chain([rectangle()]) {
         for share in [0.01, 0.1, 0.5] {
             let options = SizingOptions::new(share * shape.surface.mesh().diagonal());
             assert!(shape.field(&options).relative.iter().all(|h| *h == options.range));

@@ -80,11 +80,14 @@ fn parts_of_different_meshes_are_refused() {
     assert_eq!(surface.with_network(short_vertices).unwrap_err(), wrong("the list of sheets", 12, 48));
 }
 
+/// What spoils a network.
+type Change = dyn Fn(&mut Network);
+
 #[test]
 fn what_contradicts_itself_is_refused() {
     let surface = cube();
     let (mesh, topology) = (surface.mesh(), surface.topology());
-    let refused = |change: &dyn Fn(&mut Network)| {
+    let refused = |change: &Change| {
         let mut network = surface.network().clone();
         change(&mut network);
         let mut messages = [
@@ -97,7 +100,7 @@ fn what_contradicts_itself_is_refused() {
     let (no_vertex, no_corner, no_arc, no_sheet) = (VertexId(56), CornerId(8), ArcId(12), SheetId(6));
     let (v, e, f, a, c) = (VertexId(0), EdgeId(0), FaceId(0), ArcId(0), CornerId(0));
     let of_arc = "the network contradicts itself: an arc has no edge, tables of different lengths, or parts that are not there";
-    let cases: [(&str, &dyn Fn(&mut Network)); 13] = [
+    let cases: [(&str, &Change); 13] = [
         ("the network contradicts itself: there are more sheets than faces", &|n| n.n_sheets = usize::MAX),
         ("the network contradicts itself: a face is in a sheet that is not there", &|n| n.sheet_of_face[f] = no_sheet),
         ("the network contradicts itself: an edge is on an arc that is not there", &|n| n.arc_of_edge[e] = Some(no_arc)),

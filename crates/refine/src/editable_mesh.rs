@@ -1,17 +1,17 @@
-//! A triangulation under change: flips and splits over twins.
+//! A mesh under edit: edges are flipped and split, and the twins of halfedges are kept up to date.
 
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
 
 /// Positions, faces and twins. Faces and vertices are only added.
-pub(crate) struct Draft {
+pub(crate) struct EditableMesh {
     pub(crate) positions: IdVec<VertexId, DVec3>,
     pub(crate) faces: IdVec<FaceId, [VertexId; 3]>,
     pub(crate) source: IdVec<FaceId, FaceId>,
     twins: IdVec<HalfedgeId, Option<HalfedgeId>>,
 }
 
-impl Draft {
+impl EditableMesh {
     /// A mesh whose faces have these sources.
     pub(crate) fn new(mesh: &TriMesh, topology: &Topology, source: IdVec<FaceId, FaceId>) -> Self {
         let halfedges = mesh.faces().ids().flat_map(|f| topology.halfedges(f));
