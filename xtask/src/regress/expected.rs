@@ -68,16 +68,17 @@ struct Measured {
 const MEASURED: &[Measured] = &[
     Measured { name: "ar_mean", more_is_better: true, relative: 0.0, absolute: 0.005 },
     Measured { name: "ar_p01", more_is_better: true, relative: 0.0, absolute: 0.03 },
-    // One triangle alone decides these two.
-    Measured { name: "ar_min", more_is_better: true, relative: 0.0, absolute: 0.05 },
-    Measured { name: "angle_min", more_is_better: true, relative: 0.0, absolute: 2.0 },
+    // One triangle alone decides these two. Shares: where it is a needle, a degree is all it has.
+    Measured { name: "ar_min", more_is_better: true, relative: 0.10, absolute: 0.0 },
+    Measured { name: "angle_min", more_is_better: true, relative: 0.10, absolute: 0.0 },
     Measured { name: "agl", more_is_better: false, relative: 0.0, absolute: 0.3 },
     Measured { name: "area_cv", more_is_better: false, relative: 0.05, absolute: 0.01 },
     Measured { name: "err_mean", more_is_better: false, relative: 0.05, absolute: 1e-7 },
     Measured { name: "err_rms", more_is_better: false, relative: 0.10, absolute: 1e-7 },
     Measured { name: "err_max", more_is_better: false, relative: 0.20, absolute: 1e-6 },
     Measured { name: "crease_cover", more_is_better: true, relative: 0.0, absolute: 0.002 },
-    Measured { name: "self_intersecting", more_is_better: false, relative: 0.0, absolute: 0.0 },
+    // None where there was none; where the input passes through itself, how many triangles meet there depends on where edges run.
+    Measured { name: "self_intersecting", more_is_better: false, relative: 0.05, absolute: 0.0 },
     Measured { name: ATTEMPTS, more_is_better: false, relative: 0.0, absolute: 0.0 },
     Measured { name: "warnings", more_is_better: false, relative: 0.0, absolute: 0.0 },
 ];
@@ -255,13 +256,14 @@ mod tests {
     fn better_is_fine_and_worse_is_not() {
         for (name, best, fine, bad) in [
             ("ar_mean", 0.9, 0.99, 0.89),
-            ("ar_min", 0.5, 0.46, 0.4),
+            ("ar_min", 0.03, 0.028, 0.026),
             ("angle_min", 20.0, 18.5, 17.0),
             ("agl", 8.0, 8.2, 8.4),
             ("area_cv", 0.4, 0.42, 0.44),
             ("err_mean", 1e-5, 1e-6, 2e-5),
             ("err_max", 1e-3, 1.1e-3, 1.3e-3),
-            ("self_intersecting", 2.0, 1.0, 3.0),
+            ("self_intersecting", 0.0, 0.0, 1.0),
+            ("self_intersecting", 100.0, 105.0, 106.0),
         ] {
             let entry = entry(json!({ name: best }));
             assert_eq!(entry.compare(&remeshed(json!({ name: fine }))), [""; 0], "{name}");
