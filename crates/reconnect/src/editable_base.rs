@@ -1,4 +1,5 @@
-//! A base mesh as its relaxed first subdivision: every base face has its corners and the middles of its edges, all on the surface.
+//! A base mesh as its relaxed first subdivision: every base face has its corners and the middles of its edges, all on the
+//! surface.
 
 use crate::ReconnectError;
 use crate::base_face::BaseFace;
@@ -81,8 +82,8 @@ impl<'a> EditableBase<'a> {
         !matches!(self.freedoms[middle], Freedom::Sheet)
     }
 
-    /// Would a face with these edges at `v`, given by their middles, have two edges on one arc? Its corner there opens to 180 degrees as
-    /// the arc is subdivided.
+    /// Would a face with these edges at `v`, given by their middles, have two edges on one arc? Its corner there opens to 180
+    /// degrees as the arc is subdivided.
     pub(crate) fn has_two_edges_on_arc(&self, v: VertexId, middles: [VertexId; 2]) -> bool {
         matches!(self.freedoms[v], Freedom::Arc(_)) && middles.into_iter().all(|m| self.is_on_arc(m))
     }

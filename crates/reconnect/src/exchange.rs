@@ -8,9 +8,11 @@ use mesh_core::VertexId;
 use rayon::prelude::*;
 use region_map::BaseEdit;
 
-/// Where the sizing field asks for less than this share of the full length no vertex is taken away: the model spot lost a limb that way.
+/// Where the sizing field asks for less than this share of the full length no vertex is taken away: the model spot lost a limb
+/// that way. Less lets more vertices move to where shapes need them.
 const SPARE: f64 = 0.95;
-/// A vertex is put in between faces that exceed the least energy by more than this.
+/// A new vertex is only tried on edges whose two faces together exceed the least energy by more than this. Less tries more, and
+/// takes longer.
 const LEAST_WORTH: f64 = 1.0;
 
 impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {

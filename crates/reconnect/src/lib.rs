@@ -1,11 +1,13 @@
 //! Better connectivity for a base mesh: edits that lower the shape energy of its relaxed first subdivision.
 //!
-//! [`reconnect`] flips edges, and takes vertices away while it puts as many in elsewhere. What a base mesh is good for shows only in what it
-//! can be relaxed to. So every edit is tried where that shows first: in the first subdivision the faces around are relaxed with their border
-//! held, and the edit is good if their energy falls. No map is needed for that, as the middles of the base edges are on the surface already.
+//! [`reconnect`] flips edges, and takes vertices away while it puts as many in elsewhere. What a base mesh is good for shows only
+//! in what it can be relaxed to. So every edit is tried where that shows first: in the first subdivision the faces around are
+//! relaxed with their border held, and the edit is good if their energy falls. No map is needed for that, as the middles of the
+//! base edges are on the surface already.
 //!
-//! The relaxation of a place is that of the crate `relax`, by its module `parts`: of a place this crate knows which triangles it has and where
-//! its vertices begin, and how they then move is known there alone. The edits are only found here; who called carries them out.
+//! The relaxation of a place is that of the crate `relax`, by its module `parts`: of a place this crate knows which triangles it
+//! has and where its vertices begin, and how they then move is known there alone. The edits are only found here; who called
+//! carries them out.
 //!
 //! ```
 //! use mesh_core::TriMesh;
@@ -32,6 +34,7 @@ mod exchange;
 mod flip;
 mod options;
 mod reconnect;
+mod reconnected;
 mod region;
 mod remove;
 mod search;
@@ -40,4 +43,5 @@ mod trial;
 
 pub use error::ReconnectError;
 pub use options::ReconnectOptions;
-pub use reconnect::{Reconnected, reconnect};
+pub use reconnect::reconnect;
+pub use reconnected::Reconnected;

@@ -6,15 +6,17 @@ use relax::ShapeOptions;
 /// How to search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReconnectOptions {
-    /// The energy, and the steps that an edit is tried with. Default that of [`ShapeOptions`] with 10 untangling steps and 4 others.
+    /// The energy, and the steps that an edit is tried with. Default that of [`ShapeOptions`] with 10 untangling steps and 4
+    /// others.
     pub shape: ShapeOptions,
-    /// Rings of base faces round the vertices of an edit that are relaxed with it, 1 to 16. Default 2: with 1 fandisk ends at a mean AR
-    /// lower by .005, with 3 higher by .002.
+    /// Rings of base faces round the vertices of an edit that are relaxed with it, 1 to 16. Default 2: with 1 fandisk ends at a
+    /// mean AR lower by .005, with 3 higher by .002.
     pub rings: usize,
     /// What a flip must gain, in energies of equilateral triangles of the first subdivision, 0 or more. Default 0.05.
     pub least_gain: f64,
-    /// What taking a vertex away and putting one in elsewhere must gain, 0 or more. Default 1: below it casting began to lose parts that the
-    /// first subdivision does not show (with 0.5 and more tries it failed); fandisk gains .004 of mean AR with 0.2.
+    /// What taking a vertex away and putting one in elsewhere must gain, 0 or more. Default 1: below it casting began to lose
+    /// parts that the first subdivision does not show (with 0.5 and more tries it failed); fandisk gains .004 of mean AR with
+    /// 0.2.
     pub least_exchange_gain: f64,
     /// Tries at most, for each base edge. Default 8.
     pub tries: usize,

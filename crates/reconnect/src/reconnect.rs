@@ -2,33 +2,20 @@
 
 use crate::editable_base::EditableBase;
 use crate::search::Search;
-use crate::{ReconnectError, ReconnectOptions};
+use crate::{ReconnectError, ReconnectOptions, Reconnected};
 use mesh_core::TriMesh;
 use region_map::{BaseEdit, Domain, Sizing, Surface};
 use relax::parts::Whole;
 
-/// Better connectivity for a base mesh.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Reconnected {
-    /// The edits, in their order.
-    pub edits: Vec<BaseEdit>,
-    /// By how much the energy of the first subdivision exceeds that of equilateral triangles at the start.
-    pub energy_at_start: f64,
-    /// The same after all edits.
-    pub energy_at_end: f64,
-    /// Edits that were tried.
-    pub tries: usize,
-}
-
-/// Finds edits of a base mesh by which the shape energy of its first subdivision falls: edges are flipped, and vertices taken away while
-/// as many are put in elsewhere.
+/// Finds edits of a base mesh that lower the shape energy of its first subdivision: edges are flipped, and vertices are taken
+/// away while as many are put in elsewhere.
 ///
-/// `domain` is the base mesh subdivided once and relaxed. `carry_out` does each edit that is chosen in the base mesh itself; where it
-/// cannot and returns false, the edit is not done. Vertices are taken away only where the sizing field, one length for each vertex of the
-/// working mesh, asks for nothing. The energy never grows.
+/// `domain` is the base mesh subdivided once and relaxed. `carry_out` does each edit that is chosen in the base mesh itself;
+/// where it cannot and returns false, the edit is not done. Vertices are taken away only where the sizing field, one length for
+/// each vertex of the working mesh, does not ask for shorter edges. The energy never grows.
 ///
-/// Fails when the domain does not fit the surface or was not subdivided once, when the sizing field is of another mesh, and for an option
-/// out of its range.
+/// Fails when the domain does not fit the surface or was not subdivided once, when the sizing field is of another mesh, and for
+/// an option out of its range.
 pub fn reconnect(
     surface: &Surface,
     domain: &Domain,

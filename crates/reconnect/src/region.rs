@@ -16,8 +16,8 @@ pub(crate) struct RelaxedRegion {
     pub(crate) moved: Vec<(VertexId, PlacedVertex)>,
 }
 
-/// Relaxes a region (faces in rising order) after a change, with all held that faces outside have too. `None` where the region is no
-/// manifold: it meets itself in a vertex.
+/// Relaxes a region (faces in rising order) after a change, with all held that faces outside have too. `None` where the region is
+/// no manifold: it meets itself in a vertex.
 pub(crate) fn relaxed(
     base: &EditableBase,
     region: &[FaceIndex],

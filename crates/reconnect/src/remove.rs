@@ -39,7 +39,8 @@ pub(crate) fn removal(base: &EditableBase, v: VertexId) -> Option<Change> {
 struct Side {
     /// Corners, and the normals that faces take there.
     corners: Vec<(VertexId, CornerNormal)>,
-    /// Middles of the edges from each corner to the next, and the normals there. That from the last to the first is to come on an arc.
+    /// Middles of the edges from each corner to the next, and the normals there. That from the last to the first is to come on an
+    /// arc.
     edges: Vec<(VertexId, CornerNormal)>,
     /// Middles of the spokes inside the sheet, for new edges.
     spokes: Vec<VertexId>,

@@ -13,11 +13,14 @@ use relax::ShapeOptions;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Before an edit is tried with all that is around it, it is looked at with the next faces alone and so many steps; where the energy has
-/// grown by more than this then, it is left. With .5 for flips half of them were missed on rocker arms, with 1.5 hardly any.
-const LOOK_STEPS: usize = 2;
-const FLIP_LOSS: f64 = 1.5;
-const SITE_LOSS: f64 = 2.0;
+/// Before an edit is tried in earnest, with all rings of faces around it, it is tried with the next faces alone and so many
+/// Newton steps. More steps find more of the edits that gain in the end, and cost time for all that don't.
+const QUICK_STEPS: usize = 2;
+/// A flip after which the energy has then grown by more than this is given up. Less saves time and misses flips: with .5 half of
+/// them were missed on rocker arms, with 1.5 hardly any.
+const MOST_LOSS_OF_FLIP: f64 = 1.5;
+/// The same for a split or a removal, which is judged together with its partner later.
+const MOST_LOSS_OF_SITE: f64 = 2.0;
 
 /// A search under way.
 pub(crate) struct Search<'a, F> {
@@ -99,13 +102,13 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
         Some(Trial { gain, region, change, relaxed, at: self.clock })
     }
 
-    /// A quick look with the next faces only: does the energy grow by much?
+    /// A quick try with the next faces only: does the energy grow by much?
     fn is_hopeless(&self, change: &Change) -> bool {
-        let most_loss = if matches!(change.edit, BaseEdit::Flip(_)) { FLIP_LOSS } else { SITE_LOSS };
+        let most_loss = if matches!(change.edit, BaseEdit::Flip(_)) { MOST_LOSS_OF_FLIP } else { MOST_LOSS_OF_SITE };
         let region = self.base.around(&change.corners, 1);
-        let quick = ShapeOptions { steps: LOOK_STEPS, untangling_steps: LOOK_STEPS, ..self.options.shape.clone() };
-        let looked = relaxed(&self.base, &region, change, &quick);
-        looked.is_some_and(|r| r.costs.iter().sum::<f64>() > self.base.cost(&region) + most_loss)
+        let quick = ShapeOptions { steps: QUICK_STEPS, untangling_steps: QUICK_STEPS, ..self.options.shape.clone() };
+        let tried = relaxed(&self.base, &region, change, &quick);
+        tried.is_some_and(|r| r.costs.iter().sum::<f64>() > self.base.cost(&region) + most_loss)
     }
 
     /// Is all as it was when the edit was tried?
@@ -113,7 +116,8 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
         trial.region.iter().all(|&f| self.changed[f] <= trial.at)
     }
 
-    /// Carries an edit out, first in the base mesh. Returns the corners of the faces that come; `None` where the base mesh refuses.
+    /// Carries an edit out, first in the base mesh. Returns the corners of the faces that come; `None` where the base mesh
+    /// refuses.
     pub(crate) fn carry_out(&mut self, trial: Trial) -> Option<Vec<VertexId>> {
         let Trial { gain, region, change, relaxed, .. } = trial;
         let edit = self.numbered(&change.edit);

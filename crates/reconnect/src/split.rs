@@ -10,8 +10,8 @@ use relax::parts::{ArcNeighbour, CornerNormal, Freedom};
 /// Vertices that a split makes at most.
 pub(crate) const NEW_VERTICES: usize = 4;
 
-/// The split of an edge. Its middle becomes a base vertex; the middles of the new edges get numbers from `first` on. `None` where there is no
-/// such edge, or one of its faces has all three edges on arcs.
+/// The split of an edge. Its middle becomes a base vertex; the middles of the new edges get numbers from `first` on. `None` where
+/// there is no such edge, or one of its faces has all three edges on arcs.
 pub(crate) fn split(base: &EditableBase, [a, b]: [VertexId; 2], first: usize) -> Option<Change> {
     let sides = [(base.face_at(a, b), [a, b]), (base.face_at(b, a), [b, a])];
     let middle = sides.iter().find_map(|(side, _)| Some(side.as_ref()?.1.middles[0]))?;

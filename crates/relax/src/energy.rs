@@ -48,9 +48,21 @@ pub(crate) struct Expansion {
     pub(crate) aa: f64,
 }
 
+/// `q^power`; without the dear call where it would give exactly these (as it does while untangling, and in the model for power
+/// 2).
+fn raised(q: f64, power: f64) -> f64 {
+    if power == 1.0 {
+        q
+    } else if power == 0.0 {
+        1.0
+    } else {
+        q.powf(power)
+    }
+}
+
 impl Metric {
     fn uncapped(&self, q: f64, r: f64) -> f64 {
-        q.powf(self.power) + 0.5 * self.size_weight * (r + 1.0 / r)
+        raised(q, self.power) + 0.5 * self.size_weight * (r + 1.0 / r)
     }
 }
 
@@ -94,8 +106,8 @@ impl Triangle {
         let q = self.squared_lengths() / (Self::EQUILATERAL * y);
         let (q_l, q_y) = (1.0 / (Self::EQUILATERAL * y), -q / y);
         let (q_ly, q_yy) = (-q_l / y, 2.0 * q / (y * y));
-        let shape_1 = metric.power * q.powf(metric.power - 1.0);
-        let shape_2 = metric.power * (metric.power - 1.0) * q.powf(metric.power - 2.0);
+        let shape_1 = metric.power * raised(q, metric.power - 1.0);
+        let shape_2 = metric.power * (metric.power - 1.0) * raised(q, metric.power - 2.0);
         let r = y / self.target;
         // The slope of the cap.
         let s = (1.0 + metric.uncapped(q, r) / metric.cap).powi(-2);

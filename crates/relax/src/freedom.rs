@@ -23,8 +23,8 @@ pub struct OnArc {
     pub behind: ArcNeighbour,
     /// The one towards its end.
     pub ahead: ArcNeighbour,
-    /// The gap to a neighbour, an arc length, does not get longer than this: a chord across a hole would be cheap for its triangles, and
-    /// far from the arc.
+    /// The gap to a neighbour, an arc length, does not get longer than this: a chord across a hole would be cheap for its
+    /// triangles, and far from the arc.
     pub longest_gap: f64,
     /// Nor shorter than this: vertices that fall into one never come apart again.
     pub shortest_gap: f64,
@@ -41,17 +41,21 @@ pub struct ArcNeighbour {
     pub shift: f64,
 }
 
-/// Gaps between neighbours on an arc get longer than at the start by at most this factor.
+/// Gaps between neighbours on an arc get longer than at the start by at most this factor. More lets shapes get better, and lets
+/// arcs be cut short by long edges.
 const STRETCH: f64 = 3.0;
-/// But by no more than what lets the arc turn by so much (degrees) within a gap, or by [`LEAST_STRETCH`]. Measured: without this rule, rims of
-/// holes lost up to a third of their circle to one edge (Brun_joint missed the input by 27e-3 of the diagonal at a mean AR of .889, with it by
-/// 3.4e-3 at .887). With 30 degrees camelhead has .004 more of mean AR, casting .973 to .975 of its creases instead of .980.
+/// But no gap grows so long that the arc turns by more than this within it, in degrees, unless [`LEAST_STRETCH`] allows it: more
+/// gives better shapes, less keeps nearer to curved arcs. Measured: without this rule, rims of holes lost up to a third of their
+/// circle to one edge (Brun_joint missed the input by 27e-3 of the diagonal at a mean AR of .889, with it by 3.4e-3 at .887).
+/// With 30 degrees camelhead has .004 more of mean AR, casting .973 to .975 of its creases instead of .980.
 const MOST_TURN: f64 = 45.0;
+/// Every gap may grow by this factor, however much the arc turns there: with less, vertices on tight curves hardly move.
 const LEAST_STRETCH: f64 = 1.5;
-/// The turn is that of so many gaps on both sides.
+/// The turn is measured over so many gaps on both sides: over more of them noise counts less, and curves farther away count, too.
 const WINDOW: f64 = 2.0;
-/// Gaps get no shorter than this share of the longer one at the start, so that they don't shrink again with each relaxation. Measured: on
-/// pyvi_footbones some went down to 1e-13 of the diagonal; with .01 casting loses .002 of its creases.
+/// Gaps get no shorter than this share of the longer one at the start, so that they don't shrink again with each relaxation: less
+/// lets vertices come together, more holds them apart where shapes would be better. Measured: on pyvi_footbones some went down to
+/// 1e-13 of the diagonal; with .01 casting loses .002 of its creases.
 const SHRINK: f64 = 0.001;
 
 impl Freedom {
@@ -113,7 +117,8 @@ mod tests {
     use glam::DVec3;
     use region_map::ArcSpan;
 
-    /// On the rim of a cylinder a gap grows to 45 degrees, or by a half; on its other arcs, which are straight, to three times itself.
+    /// On the rim of a cylinder a gap grows to 45 degrees, or by a half; on its other arcs, which are straight, to three times
+    /// itself.
     #[test]
     fn gaps_on_a_circle_grow_less_than_on_a_line() {
         let stretches = |mesh: TriMesh, gap: f64| {
@@ -129,7 +134,8 @@ mod tests {
         assert!(stretches(fixtures::cuboid(DVec3::ONE, 4), 0.1).into_iter().all(|s| s == STRETCH));
     }
 
-    /// A vertex that has come next to its neighbour is kept from it as if it were half-way: it comes no nearer when relaxed again.
+    /// A vertex that has come next to its neighbour is kept from it as if it were half-way: it comes no nearer when relaxed
+    /// again.
     #[test]
     fn gaps_do_not_shrink_with_each_relaxation() {
         let surface = Surface::with_creases(fixtures::cuboid(DVec3::ONE, 4), 40.0).unwrap();

@@ -1,7 +1,7 @@
 //! Parts of the input that a relaxation would lose, kept by one held vertex each.
 //!
-//! Triangles that slide off a limb or out of a pit are better shaped where they end up, and face as the surface there does: nothing in their
-//! energy tells of what they no longer cover.
+//! Triangles that slide off a limb or out of a pit are better shaped where they end up, and face as the surface there does:
+//! nothing in their energy tells of what they no longer cover.
 
 use crate::relax::{Relaxed, relax_holding};
 use crate::{RelaxError, RelaxOptions};
@@ -10,18 +10,18 @@ use mesh_core::{SurfaceIndex, TriMesh, VertexId};
 use rayon::prelude::*;
 use region_map::{Attachment, Domain, Surface};
 
-/// A vertex of the input that the relaxed domain is farther from than this, in base edge lengths, and the one before by less than half of
-/// that, is lost. Measured: spot's greatest error 11.2e-3 to 8.6e-3, its mean 18.3e-5 to 17.4e-5; crank_cse misses its input by .39 base edges
-/// instead of .66.
+/// A vertex of the input that the relaxed domain is farther from than this, in base edge lengths, and the one before by less than
+/// half of that, is lost. Less holds more vertices, which costs shape. Measured: spot's greatest error 11.2e-3 to 8.6e-3, its
+/// mean 18.3e-5 to 17.4e-5; crank_cse misses its input by .39 base edges instead of .66.
 const LOST: f64 = 0.1;
-/// Where one is held its neighbours may still let go.
+/// So often it begins again, as the neighbours of a held vertex may still slide away. Each time costs a whole relaxation.
 const ROUNDS: usize = 2;
 
-/// Relaxes a projected domain as [`relax`](crate::relax) does. Where that loses parts of the input it begins again, with the vertex next
-/// to each of them held, as long as no triangle comes out inverted.
+/// Relaxes a projected domain as [`relax`](crate::relax) does. Where that loses parts of the input it begins again, with the
+/// vertex next to each of them held, as long as no triangle comes out inverted.
 ///
-/// A part counts as lost where a vertex of the input is farther from the relaxed mesh than a tenth of `base_edge_length` (in the units of
-/// the mesh, above 0), and was less than half as far from the mesh that the domain came with.
+/// A part counts as lost where a vertex of the input is farther from the relaxed mesh than a tenth of `base_edge_length` (in the
+/// units of the mesh, above 0), and was less than half as far from the mesh that the domain came with.
 ///
 /// Fails as [`relax`](crate::relax) does, and for a base edge length that is not above 0 and finite.
 pub fn relax_keeping(

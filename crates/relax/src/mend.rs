@@ -1,33 +1,33 @@
-//! The last folds, one vertex at a time.
+//! The last folds are mended, one vertex at a time.
 //!
-//! Newton's method sees the surface through its normals at the vertices. Where these change from triangle to triangle (ragged borders,
-//! scan noise) its model means little, and a few triangles stay folded. There the neighbours of a fold try places all around them, and
-//! take the one that leaves the best worst triangle: no derivatives, never a step back.
+//! Newton's method sees the surface through its normals at the vertices. Where these change from triangle to triangle (ragged
+//! borders, scan noise) its model means little, and a few triangles stay folded. There the neighbours of a fold try places all
+//! around them, and take the one that leaves the best worst triangle: no derivatives, never a step back.
 
 use crate::freedom::Freedom;
 use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, SurfaceIndex, VertexId, aspect_ratio, normal};
+use mesh_core::{FaceId, HalfedgeId, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
 
-/// Triangles worse than this (AR, negative when folded) are mended.
+/// Triangles worse than this (AR, negative when folded) are mended. More mends more than folds, and takes longer.
 const SOUND: f64 = 0.02;
-/// Beyond this share of folded triangles of a whole domain nothing is mended.
+/// Beyond this share of folded triangles of a whole domain nothing is mended: the region map is wrong then, and mending would
+/// take long.
 const MOST_FOLDED: f64 = 0.01;
-/// Sheets this near to each other, as a share of the diagonal, are in the same place.
-const TOUCHING: f64 = 1e-4;
-/// Passes over all vertices round folds; each takes what the one before made possible.
+/// Passes over all vertices round folds; each takes what the one before made possible. More mend more, and cost time.
 const ROUNDS: usize = 20;
-/// Places that a vertex tries: so many directions, at these shares of the mean length of its edges.
+/// A vertex tries places in so many directions. More may find more ways out of a fold, and cost time.
 const DIRECTIONS: usize = 12;
+/// How far away these places are, as shares of the mean length of the vertex' edges: from next to it to almost its neighbours.
 const REACHES: [f64; 4] = [0.05, 0.15, 0.4, 0.9];
 
 /// Mends placements of one domain.
 pub(crate) struct Mender<'a> {
     pub(crate) domain: &'a MovableDomain<'a>,
-    /// With more folded triangles than these the map is wrong, not a few vertices.
+    /// With more folded triangles than these the region map is wrong, not a few vertices.
     most: f64,
 }
 
@@ -41,10 +41,11 @@ impl<'a> Mender<'a> {
         Mender { domain, most: self.most }
     }
 
-    /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets worse.
+    /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets
+    /// worse.
     pub(crate) fn mend_folds(&self, placement: &mut Placement) {
-        // Where the normals at the corners tell of too many, the surface is not asked: it could only add to them. Otherwise it is, for
-        // every triangle: one that bridges a slit may look sound.
+        // Where the normals at the corners tell of too many, the surface is not asked: it could only add to them. Otherwise it
+        // is, for every triangle: one that bridges a slit may look sound.
         let folded = |f: &FaceId| signed_quality(self.domain, placement, *f) < SOUND;
         let faces: Vec<FaceId> = self.domain.topology.faces().ids().collect();
         if faces.par_iter().filter(|f| folded(f)).count() as f64 > self.most {
@@ -70,7 +71,7 @@ impl<'a> Mender<'a> {
     }
 }
 
-/// Sees folds that the normals at the corners do not tell of.
+/// Looks for folds with the surface itself: the normals at the corners do not tell of all of them.
 struct Sight<'a> {
     domain: &'a MovableDomain<'a>,
     index: &'a SurfaceIndex,
@@ -140,6 +141,9 @@ impl Sight<'_> {
     }
 
     /// The quality, made negative where the triangle faces against the surface nearest to its middle: it bridges a slit.
+    ///
+    /// As [`SurfaceIndex::opposes`] has it, but that another sheet in the same place excuses the triangle also where it is
+    /// exactly perpendicular to it.
     fn in_sight_of_surface(&self, placement: &Placement, f: FaceId, quality: f64) -> f64 {
         let triangle = placement.triangle(self.domain, f);
         let (own, middle) = (normal(triangle), (triangle[0] + triangle[1] + triangle[2]) / 3.0);
@@ -154,7 +158,7 @@ impl Sight<'_> {
 
     /// Is there another sheet in the same place that does not oppose?
     fn touches(&self, middle: DVec3, distance: f64, opposes: impl Fn(FaceId) -> bool) -> bool {
-        let reach = distance + TOUCHING * self.diagonal;
+        let reach = distance + SHEET_DISTANCE * self.diagonal;
         self.index.closest_where(middle, |g| !opposes(g)).is_some_and(|other| other.distance <= reach)
     }
 }

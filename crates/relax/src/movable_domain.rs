@@ -9,8 +9,9 @@ use rayon::prelude::*;
 use region_map::{Domain, Surface};
 use std::sync::Arc as Shared;
 
-/// A vertex inside a sheet moves this many mean edges in a step at most. While triangles are inverted, steps of thousands of diagonals
-/// come up, and a walk that long goes round and round (crank_cse: minutes).
+/// A vertex inside a sheet moves this many mean edges in a step at most. Less slows down what has far to go; without a bound
+/// steps of thousands of diagonals come up while triangles are inverted, and a walk that long goes round and round (crank_cse:
+/// minutes).
 const LONGEST_MOVE: f64 = 4.0;
 
 /// What never changes while the vertices move.

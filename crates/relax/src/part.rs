@@ -39,8 +39,8 @@ pub struct RelaxedPart {
 }
 
 impl<'a> Part<'a> {
-    /// The part of some triangles, with freedoms given by vertices of the whole. A vertex on an arc is held if one of its neighbours there
-    /// is not in the part. `None` where the triangles are no manifold: they meet in a vertex.
+    /// The part of some triangles, with freedoms given by vertices of the whole. A vertex on an arc is held if one of its
+    /// neighbours there is not in the part. `None` where the triangles are no manifold: they meet in a vertex.
     pub(crate) fn new(whole: &MovableDomain<'a>, triangles: &[PartFace], freedom: impl Fn(VertexId) -> Freedom) -> Option<Self> {
         let mut vertices: Vec<VertexId> = triangles.iter().flat_map(|t| t.corners).collect();
         vertices.sort_unstable();

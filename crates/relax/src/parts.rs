@@ -1,15 +1,16 @@
 //! For crates that try edits of a domain: a place is taken out as a domain of its own, relaxed, and its energy compared.
 //!
-//! A [`Whole`] is a domain over its surface, each vertex a [`PlacedVertex`] with a [`Freedom`]. [`Whole::part`] takes triangles out of it,
-//! changed as the caller likes: with other vertices, other [`CornerNormal`]s, other neighbours on arcs ([`OnArc`], [`ArcNeighbour`]). What
-//! [`Part::relaxed`] gives is what these triangles then cost, and where their vertices went. The domain itself never changes.
+//! A [`Whole`] is a domain over its surface, each vertex a [`PlacedVertex`] with a [`Freedom`]. [`Whole::part`] takes triangles
+//! out of it, changed as the caller likes: with other vertices, other [`CornerNormal`]s, other neighbours on arcs ([`OnArc`],
+//! [`ArcNeighbour`]). What [`Part::relaxed`] gives is what these triangles then cost, and where their vertices went. The domain
+//! itself never changes.
 //!
 //! ```
 //! use mesh_core::{HalfedgeId, TriMesh};
 //! use region_map::{Domain, Surface};
 //! use relax::{ShapeOptions, parts::{PartFace, Whole}};
 //!
-//! // A pyramid on a square, its apex off the middle. All of it is one part, whose triangles want to be as large as they are in the mean.
+//! // A pyramid on a square, its apex off the middle. All of it is one part, whose triangles shall be equally large.
 //! let positions = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [0.2, 0.3, 0.1]];
 //! let surface = Surface::smooth(TriMesh::from_slices(&positions, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])?)?;
 //! let (whole, options) = (Whole::new(&surface, &Domain::identity(&surface))?, ShapeOptions::default());

@@ -8,8 +8,8 @@ use mesh_core::{FaceId, IdVec, MeshError, VertexId};
 use rayon::prelude::*;
 use region_map::{ArcSpan, Attachment, Domain, RegionMap};
 
-/// The share of the way to its neighbour on the arc that a vertex may slide at once. Below a half, so that two neighbours that
-/// slide towards each other keep their order.
+/// The share of the way to its neighbour on the arc that a vertex may slide at once. Less takes more steps; from a half on, two
+/// neighbours that slide towards each other might lose their order.
 const SLIDE_SHARE: f64 = 0.45;
 
 /// The places of all vertices.
@@ -77,7 +77,7 @@ impl Placement {
         }
     }
 
-    /// Takes back what turned triangles over that faced with the surface in `before`.
+    /// Puts back the triangles that are turned over here and faced with the surface in `before`.
     pub(crate) fn hold_upright(&mut self, domain: &MovableDomain, before: &Self) {
         self.take_back(domain, before, |now, f| now.signed_area(domain, f) <= 0.0 && before.signed_area(domain, f) > 0.0);
     }

@@ -1,5 +1,5 @@
-//! Folds, each relaxed by itself with all around it held, as if there were no others: among hundreds of thousands of triangles a few have
-//! little say, and where many give way for them these fold in turn.
+//! Folds, each relaxed by itself with all around it held, as if there were no others: among hundreds of thousands of triangles a
+//! few have little say, and where many give way for them these fold in turn.
 
 use crate::ShapeOptions;
 use crate::best_shape::best_shape;
@@ -13,9 +13,10 @@ use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// Mean quality that a place may lose: the worst triangle is all that counts there.
+/// Mean quality (AR) that a place may lose for having its folds undone: the worst triangle is all that counts there.
 const SLACK: f64 = 0.1;
-/// A place whose rim meets itself in a vertex is widened at most so often.
+/// A place whose rim meets itself in a vertex is widened at most so often, and then left as it is. More would reach places that
+/// are large.
 const MOST_WIDER: usize = 8;
 
 /// Relaxes the places of some faces, each with the vertices up to `edges` edges away. Returns the number of Newton steps.

@@ -12,8 +12,9 @@ use crate::weights::vertex_weights;
 use glam::DVec3;
 use mesh_core::{IdVec, VertexId};
 
-/// A gain in the mean AR below this is none, and this many of them in a row end the relaxation.
+/// A gain in the mean AR below this counts as none. Less lets the relaxation go on for longer.
 const LEAST_GAIN: f64 = 1e-4;
+/// This many iterations in a row without a gain end the relaxation. More lets it get over a standstill, and costs time.
 const MOST_IDLE: usize = 3;
 
 /// Relaxes until the target quality, no gain or the cap. Returns the best placement met and the number of iterations.

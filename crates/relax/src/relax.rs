@@ -11,7 +11,8 @@ use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
 use mesh_core::{FaceId, VertexId};
 use region_map::{Domain, Surface};
 
-/// Mean quality that the shape optimisation may give up: where the start is good, it is the worst triangles that it lifts.
+/// Mean quality (AR) that the shape optimisation may give up. More lets it lift the worst triangles of a good start at the cost
+/// of all others; with less such a result is thrown away.
 const SLACK: f64 = 2e-3;
 
 /// A relaxed domain.
@@ -40,13 +41,13 @@ pub struct RelaxReport {
     pub shape_steps: usize,
 }
 
-/// Moves the vertices of a domain over the surface until its triangles are as near to equilateral as its connectivity and the arcs
-/// allow.
+/// Moves the vertices of a domain over the surface until its triangles are as near to equilateral as its connectivity and the
+/// arcs allow.
 ///
 /// Corners stay, vertices on arcs slide along them in their order, all others move inside their sheet. Vertices start at the
-/// points of the region map; the positions of the domain's mesh are not read. Inverted triangles are turned back where that succeeds;
-/// on the way others may be turned over for a while. The result is never worse than the start: it has no more inverted triangles, and
-/// with as many a mean quality that is lower by .002 at most. [`RelaxReport::end`] tells how many are left.
+/// points of the region map; the positions of the domain's mesh are not read. Inverted triangles are turned back where that
+/// succeeds; on the way others may be turned over for a while. The result is never worse than the start: it has no more inverted
+/// triangles, and with as many a mean quality that is lower by .002 at most. [`RelaxReport::end`] tells how many are left.
 ///
 /// Fails when the region map does not fit the domain or the surface, and for an option out of its range.
 pub fn relax(surface: &Surface, domain: &Domain, options: &RelaxOptions) -> Result<Relaxed, RelaxError> {
@@ -76,10 +77,11 @@ pub fn relax_holding(
     finished(&movable, domain, best.placement, report)
 }
 
-/// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they are.
+/// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they
+/// are.
 ///
-/// For the last folds of a relaxed domain: each place is relaxed by itself, as if there were no others. Otherwise as [`relax`], without
-/// the paper's relaxation.
+/// For the last folds of a relaxed domain: each place is relaxed by itself, as if there were no others. Otherwise as [`relax`],
+/// without the paper's relaxation.
 ///
 /// Fails as [`relax`] does, and for a face that is not in the domain.
 pub fn relax_around(
@@ -102,8 +104,8 @@ pub fn relax_around(
     finished(&movable, domain, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
 }
 
-/// The faces of a domain that face against the surface or have no area, in rising order, with their vertices where the region map has
-/// them.
+/// The faces of a domain that face against the surface or have no area, in rising order, with their vertices where the region map
+/// has them.
 ///
 /// Fails when the region map does not fit the domain or the surface.
 pub fn inverted(surface: &Surface, domain: &Domain) -> Result<Vec<FaceId>, RelaxError> {

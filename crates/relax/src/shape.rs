@@ -1,7 +1,7 @@
 //! Shape optimisation of the finest level: Newton's method with walks for steps.
 //!
 //! The unknowns are tangential: two at a vertex inside a sheet, one on an arc, none at a corner. Each step minimises the
-//! second-order model of the energy by conjugate gradients, walks, takes back what it made bad, and is halved until the energy
+//! second-order model of the energy by conjugate gradients, walks, puts back what it made bad, and is halved until the energy
 //! falls. While triangles are inverted or nearly so the energy is regularised, less and less as the worst of them improves.
 
 use crate::ShapeOptions;
@@ -15,39 +15,50 @@ use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
 use rayon::prelude::*;
 use region_map::SheetId;
 
-/// The share to which conjugate gradients lower the residual, and their cap.
+/// Conjugate gradients lower the residual to this share: less makes each Newton step better and dearer.
 const SOLVER_TOLERANCE: f64 = 0.1;
+/// They take so many iterations at most: where the cap ends them early, a step is less good and cheaper.
 const SOLVER_STEPS: usize = 100;
-/// How often a step that does not lower the energy is halved.
+/// How often a step that does not lower the energy is halved before it is given up. More finds steps that hardly move anything.
 const HALVINGS: i32 = 8;
-/// Triangles below this share of the mean area around them still count as entangled: without regularisation their energy would
-/// hide all others'.
+/// Triangles below this share of the mean area around them still count as entangled: without regularisation their energy would be
+/// so high that the gain of all others did not show. More leaves more of the work to the untangling, which does not look at
+/// shapes alone.
 const SOUND_AREA: f64 = 0.05;
-/// The regularisation, as a share of the area that the worst triangle lacks, and how much lacking area is counted at most.
-/// Starts with 3 to 5,340 inverted triangles (rabbit, rocker arm, lion, kitten, six fixtures; up to 77 % of all) come free with
-/// shares from 0.3 to 1. When more is counted, one large inverted triangle makes all others give way; when `scales` follows the
-/// present areas, they collapse with it.
+/// The regularisation, as a share of the area that the worst triangle lacks. Starts with 3 to 5,340 inverted triangles (rabbit,
+/// rocker arm, lion, kitten, six fixtures; up to 77 % of all) come free with shares from 0.3 to 1. The areas are shares of those
+/// at the start: where they followed the present ones, triangles collapsed together with what was around them.
 const REGULARISATION: f64 = 0.5;
+/// So much lacking area is counted at most, as a share: where more was, one large inverted triangle made all others give way.
 const MOST_LACKING: f64 = 1.0;
-/// Steps spent on raising the least area to [`SOUND_AREA`] once no triangle is inverted.
+/// Steps spent at most on raising the least area to [`SOUND_AREA`] once no triangle is inverted. More opens more slivers, and
+/// costs time.
 const SOUNDING_STEPS: usize = 10;
-/// Triangles below this share of that mean stay regularised to the end: beside their stiffness, that of all others is rounding.
+/// Triangles below this share of that mean stay regularised to the end: they are so stiff that for the solver all others would be
+/// rounding. More gives up the shapes of more triangles.
 const COLLAPSED: f64 = 0.01;
-/// Where smoothing no longer cares how poor a triangle is (AR .01): one with 1e30 would hide the gain of all others, and end it at once.
-/// Measured on crank_cse: mean AR .728 to .757 after the relaxation, with [`COLLAPSED`] and this.
+/// No triangle counts for more than this while smoothing (AR .01): one with 1e30 would hide the gain of all others, and end it at
+/// once. Less gives up poor triangles sooner. Measured on crank_cse: mean AR .728 to .757 after the relaxation, with
+/// [`COLLAPSED`] and this.
 const MOST_ENERGY: f64 = 1e4;
-/// A step of untangling that lowers the energy by less than this share is idle; this many in a row end it.
+/// A step of untangling that lowers the energy by less than this share is idle. Less lets it go on for longer.
 const LEAST_PROGRESS: f64 = 1e-4;
+/// This many idle steps in a row end the untangling: more of them may get over a standstill, and cost time where
+/// nothing comes free.
 const MOST_IDLE: usize = 8;
-/// In the tamed version of a step a triangle whose energy grows by more than this factor is taken back. Always taming stopped
-/// a rocker arm at .952 (taking back holds up the neighbours), never taming a rabbit at .858; the better of both gave .960 and
-/// .958. That rabbit, from a folded start, still stalls between .94 and .96, depending on its start.
+/// Each step is also tried in a tamed form: triangles whose energy grows by more than this factor are put back where they were.
+/// The better of both is taken. Always the tamed one stopped a rocker arm at a mean AR of .952 (what is put back holds up its
+/// neighbours), never a rabbit at .858; the better of both gave .960 and .958. That rabbit, from a folded start, still stalls
+/// between .94 and .96, depending on its start.
 const MOST_GROWTH: f64 = 10.0;
-/// The share of a step of which only what makes no triangle worse is kept, where none lowers the energy.
+/// Where no step lowers the energy, this share of one is taken, and all triangles are put back that got worse by it. More moves
+/// farther where little is put back.
 const TAMED_SHARE: f64 = 0.5;
-/// What an inverted triangle costs, and any other at most.
+/// What an inverted triangle costs, and any other at most, in energies of equilateral ones. More makes edits that undo a fold
+/// dearer to refuse.
 const MOST_COST: f64 = 100.0;
-/// This many steps in a row that gain less than the tolerance end the smoothing.
+/// This many steps in a row that gain less than the tolerance end the smoothing. More lets it get over a standstill, and costs
+/// time.
 const MOST_SMALL_GAINS: usize = 3;
 
 /// Optimises the shape of all triangles. Returns the placement and the number of Newton steps.
@@ -155,8 +166,8 @@ impl<'a> Optimiser<'a> {
         options.steps
     }
 
-    /// One Newton step from the present energies; `None` when no step lowers their sum. With `hold` no triangle that faces with the
-    /// surface is turned over.
+    /// One Newton step from the present energies; `None` when no step lowers their sum. With `hold` no triangle that faces with
+    /// the surface is turned over.
     fn step(&self, hold: bool, present: &[f64]) -> Option<Step> {
         let before = present.iter().sum();
         let frames = self.frames();
@@ -185,7 +196,8 @@ impl<'a> Optimiser<'a> {
         step.or_else(|| gain(self.tamed(trial(TAMED_SHARE), present, 1.0)))
     }
 
-    /// The placement as it is, or with all triangles taken back whose energy grew much beyond the one before, and its energies.
+    /// The placement as it is, or with all triangles put back where they were whose energy grew much beyond the one before, and
+    /// its energies.
     fn better_tamed_or_not(&self, wild: Placement, before: &[f64]) -> (Placement, Vec<f64>) {
         let wild_energies = self.energies(&wild);
         if wild_energies.iter().zip(before).all(|(after, before)| *after <= MOST_GROWTH * before) {
@@ -196,7 +208,7 @@ impl<'a> Optimiser<'a> {
         if is_better { (tamed, tamed_energies) } else { (wild, wild_energies) }
     }
 
-    /// The placement with all triangles taken back whose energy grew by more than a factor, and its energies.
+    /// The placement with all triangles put back where they were whose energy grew by more than a factor, and its energies.
     fn tamed(&self, mut placement: Placement, before: &[f64], most_growth: f64) -> (Placement, Vec<f64>) {
         let grew = |trial: &Placement, f: FaceId| self.triangle(trial, f).energy(&self.metric) > most_growth * before[f.index()];
         placement.take_back(self.domain, &self.placement, grew);

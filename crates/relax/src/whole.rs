@@ -57,15 +57,15 @@ impl<'a> Whole<'a> {
         self.mean_areas.get(sheet.index()).copied().unwrap_or(0.0)
     }
 
-    /// By how much the shape energy of every face exceeds the least one, with the mean areas of the sheets as those wanted. That of an
-    /// equilateral triangle of this area is 0, that of an inverted one about 100.
+    /// By how much the shape energy of every face exceeds the least one, with the mean areas of the sheets as those wanted. That
+    /// of an equilateral triangle of this area is 0, that of an inverted one about 100.
     pub fn costs(&self, options: &ShapeOptions) -> Vec<f64> {
         let targets = self.sheet_of_face.iter().map(|&s| self.mean_area(s)).collect();
         costs(&self.movable, &self.placement, &targets, options)
     }
 
-    /// The place after a walk over the surface from another place, along `way` as far as no arc is in it. The part of `way` along the
-    /// arc is taken then.
+    /// The place after a walk over the surface from another place, along `way` as far as no arc is in it. The part of `way` along
+    /// the arc is taken then.
     pub fn walked(&self, from: &PlacedVertex, way: DVec3) -> PlacedVertex {
         self.movable.walked(from, way)
     }
@@ -76,8 +76,8 @@ impl<'a> Whole<'a> {
         Some(self.movable.placed_on_arc(on_arc, arc_length))
     }
 
-    /// The part of some triangles, with a freedom for each of their vertices. A vertex on an arc stays if one of its neighbours there is
-    /// not in the part.
+    /// The part of some triangles, with a freedom for each of their vertices. A vertex on an arc stays if one of its neighbours
+    /// there is not in the part.
     ///
     /// `None` where the triangles are no manifold: they meet in a vertex, say. Or where an arc is of another surface.
     pub fn part(&self, faces: &[PartFace], freedom: impl Fn(VertexId) -> Freedom) -> Option<Part<'a>> {

@@ -186,7 +186,8 @@ fn a_domain_of_corners_alone_stays() {
     assert!(bed.surface.network().n_sheets == 6 && relaxed.domain.region.sheet_of_face.iter().all(|s| *s < SheetId(6)));
 }
 
-/// A vertex a billionth of an edge from its neighbour makes triangles that no smoothing opens. All others get as good as without it.
+/// A vertex a billionth of an edge from its neighbour makes triangles that no smoothing opens. All others get as good as without
+/// it.
 #[test]
 fn a_collapsed_triangle_holds_up_nothing_else() {
     for (name, bed) in beds() {
