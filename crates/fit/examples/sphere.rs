@@ -2,8 +2,8 @@
 
 use fit::{FitOptions, fit};
 use glam::DVec3;
-use mesh_core::{MeshError, SurfaceIndex, Topology, TriMesh};
-use region_map::{Network, RegionMap, SheetNormals, Surface};
+use mesh_core::{MeshError, TriMesh};
+use region_map::{Domain, RegionMap, Surface};
 use std::error::Error;
 
 fn flattened(mesh: &TriMesh, by: f64) -> Result<TriMesh, MeshError> {
@@ -12,20 +12,14 @@ fn flattened(mesh: &TriMesh, by: f64) -> Result<TriMesh, MeshError> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     for (name, by) in [("sphere", 1.0), ("lens", 0.2)] {
-        let (mesh, coarse) = (flattened(&fixtures::icosphere(40), by)?, flattened(&fixtures::icosphere(10), by)?);
-        let (topology, domain_topology) =
-            (Topology::new(mesh.faces(), mesh.n_vertices())?, Topology::new(coarse.faces(), coarse.n_vertices())?);
-        let no_arcs =
-            |mesh: &TriMesh, t: &Topology| Network::trace(mesh, t, &t.edge_ids().map(|_| None).collect(), |_| false, vec![]);
-        let network = no_arcs(&mesh, &topology);
-        let normals = SheetNormals::new(&mesh, &topology, &network);
-        let surface = Surface { mesh: &mesh, topology: &topology, network: &network, normals: &normals };
-        let mut map = RegionMap::identity(&domain_topology, &no_arcs(&coarse, &domain_topology));
-        let index = SurfaceIndex::new(&mesh);
-        map.points = coarse.positions().iter().filter_map(|&p| index.closest(p)).map(|c| c.point()).collect();
-        let domain = coarse.with_positions(map.points.iter().map(|p| p.position(&mesh)).collect())?;
+        let surface = Surface::smooth(flattened(&fixtures::icosphere(40), by)?)?;
+        // The coarse mesh, with its vertices at the nearest points of the surface.
+        let coarse = Domain::identity(&Surface::smooth(flattened(&fixtures::icosphere(10), by)?)?);
+        let nearest = coarse.mesh.positions().iter().filter_map(|&p| surface.index().closest(p));
+        let region = RegionMap { points: nearest.map(|c| c.point()).collect(), ..coarse.region.clone() };
+        let domain = coarse.placed(&surface, region)?;
 
-        let report = fit(&surface, &domain, &domain_topology, &map, &FitOptions::default())?.report;
+        let report = fit(&surface, &domain, &FitOptions::default())?.report;
         println!("{name}: mean distance {:.5} and greatest {:.5}", report.start.mean, report.start.max);
         println!("  {:.5} and {:.5} with offsets of {:.5} on average", report.end.mean, report.end.max, report.mean_offset);
     }

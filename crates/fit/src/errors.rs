@@ -1,8 +1,8 @@
-//! How far domain and input are apart.
+//! Distances between domain and input, and where the domain faces the wrong way.
 
 use crate::pairs::{Pair, Pairs};
 use glam::DVec3;
-use mesh_core::{FaceId, SurfaceIndex, TriMesh};
+use mesh_core::{FaceId, SHEET_DISTANCE, SurfaceIndex, SurfacePoint, TriMesh};
 use rayon::prelude::*;
 use region_map::Surface;
 use std::cell::OnceCell;
@@ -16,11 +16,8 @@ pub struct Errors {
     pub max: f64,
 }
 
-/// A sheet that lies this much nearer than the own one, as a share of the diagonal, makes a face count as folded in `certify`.
-const HIDDEN: f64 = 1e-4;
-
-/// The true distances of samples: to the closest point anywhere, not only in the sheet. They are never greater than those of the pairs,
-/// and only asked for where it matters.
+/// The true distances of samples: to the closest point anywhere, not only in the sheet. They are never greater than those of the
+/// pairs, and only asked for where it matters.
 pub(crate) struct Truth<'a> {
     surface: &'a Surface,
     domain: &'a TriMesh,
@@ -41,9 +38,9 @@ impl<'a> Truth<'a> {
                 sum += pair.area * pair.distance;
                 area += pair.area;
             }
-            for (i, _, distance) in unsound {
-                sum += pairs[i].area * distance;
-                area += pairs[i].area;
+            for Measured { pair, distance, .. } in unsound {
+                sum += pairs[pair].area * distance;
+                area += pairs[pair].area;
             }
             if area > 0.0 { sum / area } else { 0.0 }
         });
@@ -53,30 +50,27 @@ impl<'a> Truth<'a> {
     /// The domain faces at samples whose true distance is above a limit, in rising order.
     pub(crate) fn faces_beyond(&self, pairs: &Pairs, limit: f64) -> Vec<FaceId> {
         let [forward, backward] = self.distances(pairs, |pair| pair.distance > limit);
-        let forward = forward.into_iter().filter(|s| s.2 > limit).map(|(i, _, _)| pairs.forward[i].domain.face);
-        let backward = backward.into_iter().filter(|s| s.2 > limit).map(|(_, face, _)| face);
+        let forward = forward.into_iter().filter(|s| s.distance > limit).map(|s| pairs.forward[s.pair].domain.face);
+        let backward = backward.into_iter().filter(|s| s.distance > limit).map(|s| s.face);
         let mut faces: Vec<FaceId> = forward.chain(backward).collect();
         faces.sort_unstable();
         faces.dedup();
         faces
     }
 
-    /// The domain faces whose normal opposes that of the input at the point closest to their middle, in rising order. Where a sound pair is
-    /// so near that no other sheet can hide it, the input is not asked.
+    /// The domain faces whose normal opposes that of the input at the point closest to their middle, in rising order. Where a
+    /// sound pair is so near that no other sheet can hide it, the input is not asked.
     pub(crate) fn turned_faces(&self, pairs: &Pairs) -> Vec<FaceId> {
-        let input = self.surface.mesh();
-        let hidden = HIDDEN * input.diagonal();
-        let chosen = (0..pairs.forward.len()).filter(|&i| {
-            let pair = &pairs.forward[i];
-            pair.is_middle() && (!pair.is_sound || pair.distance > hidden)
-        });
-        let middle = |i: usize| pairs.forward[i].domain.position(self.domain);
-        let closest = measure(chosen.collect(), || self.surface.index(), middle);
-        let opposed = closest.into_iter().filter_map(|(i, face, _)| {
-            let own = pairs.forward[i].domain.face;
-            (self.domain.normal(own).dot(input.normal(face)) < 0.0).then_some(own)
-        });
-        opposed.collect()
+        let hidden = SHEET_DISTANCE * self.surface.mesh().diagonal();
+        let is_asked = |pair: &&Pair| pair.is_middle && (!pair.is_sound || pair.distance > hidden);
+        let asked: Vec<SurfacePoint> = pairs.forward.iter().filter(is_asked).map(|pair| pair.domain).collect();
+        let is_turned = |middle: &SurfacePoint| {
+            self.surface.index().nearest_opposes(middle.position(self.domain), self.domain.normal(middle.face))
+        };
+        if !asked.is_empty() {
+            self.surface.index(); // built here, not by one of the threads while the others wait
+        }
+        asked.into_par_iter().filter(is_turned).map(|middle| middle.face).collect()
     }
 
     /// True distances are at most those of the pairs, so only the pairs that are furthest apart need to be asked.
@@ -84,16 +78,16 @@ impl<'a> Truth<'a> {
         let all = || pairs.forward.iter().chain(&pairs.backward);
         let (mut greatest, mut above) = (0.0, all().map(|pair| pair.distance).fold(0.0, f64::max));
         while greatest < above {
-            let least = if above > f64::MIN_POSITIVE { 0.5 * above } else { 0.0 };
+            let least = if above > f64::MIN_POSITIVE { 0.5 * above.min(f64::MAX) } else { 0.0 };
             let distances = self.distances(pairs, |pair| pair.distance > least && pair.distance <= above);
-            greatest = distances.iter().flatten().map(|s| s.2).fold(greatest, f64::max);
+            greatest = distances.iter().flatten().map(|s| s.distance).fold(greatest, f64::max);
             above = least;
         }
         greatest
     }
 
-    /// The true distances of some pairs of both directions: index of the pair, face that is closest, distance.
-    fn distances(&self, pairs: &Pairs, which: impl Fn(&Pair) -> bool + Sync) -> [Vec<(usize, FaceId, f64)>; 2] {
+    /// The true distances of some pairs of both directions.
+    fn distances(&self, pairs: &Pairs, which: impl Fn(&Pair) -> bool + Sync) -> [Vec<Measured>; 2] {
         let chosen =
             [&pairs.forward, &pairs.backward].map(|pairs| (0..pairs.len()).filter(|&i| which(&pairs[i])).collect::<Vec<usize>>());
         let [forward, backward] = chosen;
@@ -105,16 +99,25 @@ impl<'a> Truth<'a> {
     }
 }
 
+/// The true distance of a pair.
+struct Measured {
+    /// The index of the pair in its direction.
+    pair: usize,
+    /// The face of the other mesh that is the closest.
+    face: FaceId,
+    distance: f64,
+}
+
 /// The closest points to the positions of some pairs, on a mesh whose index is only built when there is a pair.
 fn measure<'a>(
     chosen: Vec<usize>,
     index: impl FnOnce() -> &'a SurfaceIndex,
     position: impl Fn(usize) -> DVec3 + Sync,
-) -> Vec<(usize, FaceId, f64)> {
+) -> Vec<Measured> {
     if chosen.is_empty() {
         return Vec::new();
     }
     let index = index();
-    let measured = chosen.into_par_iter().filter_map(|i| index.closest(position(i)).map(|c| (i, c.face, c.distance)));
-    measured.collect()
+    let measured = |pair: usize| index.closest(position(pair)).map(|c| Measured { pair, face: c.face, distance: c.distance });
+    chosen.into_par_iter().filter_map(measured).collect()
 }

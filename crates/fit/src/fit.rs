@@ -1,8 +1,9 @@
-//! The verb of this crate.
+//! The fit: rounds of least squares, and what is taken back afterwards.
 
 use crate::errors::Truth;
 use crate::pairs::Pairs;
-use crate::placement::{HALVINGS, Placement, ShapeGuard, mean_edges};
+use crate::placement::{HALVINGS, Placement, mean_edges};
+use crate::shape_guard::ShapeGuard;
 use crate::system::{Element, System};
 use crate::terrain::Terrain;
 use crate::{Errors, FitError, FitOptions};
@@ -10,22 +11,23 @@ use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, Id as _, IdVec, TriMesh, VertexId};
 use region_map::{Attachment, Domain, RegionMap, Surface};
 
-/// Weight of "stay where the relaxation left you" against that of the samples: enough for vertices that hardly a sample speaks for.
+/// Weight of staying at the start, against that of the samples. It decides for vertices with hardly any samples around them.
 const HOLD: f64 = 1e-3;
-/// Weight of the triangles' shape in the first round with sliding, and what it is multiplied by from round to round.
+/// Weight of the triangles' shape in the first round with sliding, and the factor by which it falls from round to round, as long
+/// as the mean quality has not fallen by more than the options allow.
 ///
-/// Measured with the weight the same in three rounds: at .02 the mean quality falls by .001 (rabbit) to .003 (rocker-arm), at .004 by .002
-/// to .008, at .001 by .007 to .015, but on fandisk by .0002. So it falls as long as the loss of quality is within what is allowed.
+/// Measured with the same weight in three rounds: at .02 the mean quality falls by .001 (rabbit) to .003 (rocker-arm), at .004 by
+/// .002 to .008, at .001 by .007 to .015, but on fandisk by .0002.
 const SHAPE: f64 = 0.02;
 const SOFTER: f64 = 0.1;
 /// How often a slide that costs too much quality is halved before it is left out.
 const SHORTER_SLIDES: i32 = 2;
-/// Residuals count with this power of 2 minus: between least squares (0) and least absolute values (1). Measured on four models against 0:
-/// mean error -1 to -4 %, RMS +0 to +1 %; with 1 -2 to -5 % and +2 to +9 %.
+/// Residuals count by their power 2 minus this: 0 is least squares, 1 is least absolute values. Measured on four models against
+/// 0: with 0.5 the mean error falls by 1 to 4 % and the RMS rises by 0 to 1 %, with 1 it is 2 to 5 % and 2 to 9 %.
 const ROBUSTNESS: f64 = 0.5;
-/// Residuals below this share of the mean distance count the same.
+/// Residuals below this share of the mean distance all have the same weight.
 const SMALL: f64 = 0.3;
-/// Where a solution is good enough, as a share of the first residual, and how many iterations it may take.
+/// The conjugate gradients end when the residual has fallen to this share of the first one, or after so many iterations.
 const TOLERANCE: f64 = 1e-2;
 const MOST_ITERATIONS: usize = 40;
 /// A mean distance below this share of the diagonal is rounding.
@@ -33,13 +35,13 @@ const ROUNDING: f64 = 1e-12;
 /// How often vertices are taken back where the greatest distance has grown or a face has turned over, before the fit is given up.
 const MOST_RETREATS: usize = 12;
 
-/// A domain whose vertices are next to the surface.
+/// A domain with its vertices beside the surface.
 #[derive(Clone, Debug)]
 pub struct Fitted {
     /// The domain with new points, its vertices at these points plus offset times normal.
     pub domain: Domain,
-    /// Offset of every vertex along the surface's normal at its point (`SheetNormals::at`), in the units of the mesh, positive outwards; 0
-    /// at corners and on arcs.
+    /// Offset of every vertex along the surface's normal at its point (`SheetNormals::at`), in the units of the mesh, positive
+    /// outwards; 0 at corners and on arcs.
     pub offsets: IdVec<VertexId, f64>,
     /// What was reached.
     pub report: FitReport,
@@ -60,13 +62,16 @@ pub struct FitReport {
     pub max_offset: f64,
 }
 
-/// Moves the vertices inside sheets so that the distances between domain and surface, both ways, are least: along the surface's normals,
-/// and a little over the surface. Vertices at corners and on arcs stay.
+/// Moves the vertices inside sheets so that the distances between domain and surface, both ways, are least: along the surface's
+/// normals, and a little over the surface. Vertices at corners and on arcs stay.
 ///
-/// Vertices start at the points of the domain's region map, where its mesh has to have them. No triangle turns over or loses more quality
-/// than the options allow, and the greatest distance does not grow. Where the mean distance hardly falls, the domain stays as it is.
+/// Vertices start at the points of the domain's region map, where its mesh has to have them. No triangle turns over or loses more
+/// quality than the options allow, and the greatest distance does not grow. Where the mean distance hardly falls, the domain
+/// stays as it is.
 ///
-/// Fails where the domain does not fit the surface, or a vertex is outside of its sheet.
+/// A surface that is interrupted ends it early, with a domain that nobody should use.
+///
+/// Fails where an option is out of its range, the domain does not fit the surface, or a vertex is outside of its sheet.
 pub fn fit(surface: &Surface, domain: &Domain, options: &FitOptions) -> Result<Fitted, FitError> {
     fit_holding(surface, domain, &[], options)
 }
@@ -75,6 +80,7 @@ pub fn fit(surface: &Surface, domain: &Domain, options: &FitOptions) -> Result<F
 ///
 /// Fails as [`fit`] does, and where the domain has no such face.
 pub fn fit_holding(surface: &Surface, domain: &Domain, still: &[FaceId], options: &FitOptions) -> Result<Fitted, FitError> {
+    options.check()?;
     check(surface, domain)?;
     if let Some(&f) = still.iter().find(|f| f.index() >= domain.mesh.n_faces()) {
         return Err(FitError::NoFace(f));
@@ -85,7 +91,7 @@ pub fn fit_holding(surface: &Surface, domain: &Domain, still: &[FaceId], options
     let input = Terrain { mesh: surface.mesh(), topology: surface.topology(), barriers: &is_barrier };
     let fitter = Fitter { surface, input, domain, barriers: &is_span, options };
 
-    let mut pairs = Pairs::new(surface, region, &input, &fitter.terrain(start_mesh));
+    let mut pairs = Pairs::new(surface, region, &input, &fitter.terrain(start_mesh))?;
     let truth = Truth::new(surface, start_mesh);
     let (start, turned) = (truth.errors(&pairs), truth.turned_faces(&pairs));
     let guard = ShapeGuard::new(start_mesh, topology, normals_below(surface, start_mesh, &pairs), options.quality_loss);
@@ -102,6 +108,9 @@ pub fn fit_holding(surface: &Surface, domain: &Domain, still: &[FaceId], options
         retreat(&mut now, &mut pairs, still, HALVINGS)?;
     }
     for round in 0..MOST_RETREATS {
+        if surface.interrupt().is_set() {
+            break;
+        }
         let mesh = now.mesh(start_mesh)?;
         let truth = Truth::new(surface, &mesh);
         let mut bad = truth.faces_beyond(&pairs, start.max);
@@ -137,11 +146,11 @@ fn normals_below(surface: &Surface, domain: &TriMesh, pairs: &Pairs) -> IdVec<Fa
     normals
 }
 
-/// What stays the same over the rounds.
+/// What is the same in all rounds.
 struct Fitter<'a> {
     surface: &'a Surface,
     input: Terrain<'a>,
-    /// With the vertices where they start.
+    /// Its vertices where they start.
     domain: &'a Domain,
     barriers: &'a IdVec<EdgeId, bool>,
     options: &'a FitOptions,
@@ -158,6 +167,9 @@ impl Fitter<'_> {
         let reach = self.options.reach;
         let (mut now, mut shape) = (first.clone(), SHAPE);
         for round in 0..self.options.slides + self.options.rises {
+            if self.surface.interrupt().is_set() {
+                break;
+            }
             let slides = round < self.options.slides;
             let mesh = now.mesh(&self.domain.mesh)?;
             let displacements = self.solve(&now, &mesh, pairs, slides.then_some(shape));
@@ -169,7 +181,7 @@ impl Fitter<'_> {
             let fits = |next: &Placement| guard.loss(next) <= self.options.mean_quality_loss;
             let lengths = (0..=SHORTER_SLIDES).map(|i| 0.5f64.powi(i)).filter(|_| slides);
             let slid = lengths.map(|length| (length, moved(length))).find(|(_, next)| fits(next));
-            // Cheap so far: the next round may bend the triangles more.
+            // The full slide was within the loss of quality that is allowed, so the next round may bend the triangles more.
             shape *= if slid.as_ref().is_some_and(|(length, _)| *length == 1.0) { SOFTER } else { 1.0 };
             now = slid.map_or_else(|| moved(0.0), |(_, next)| next);
             pairs.follow(&self.input, &self.terrain(&now.mesh(&self.domain.mesh)?));
@@ -177,8 +189,8 @@ impl Fitter<'_> {
         Ok(now)
     }
 
-    /// The displacements for which the distances of all pairs, from a point to the plane at its place, are least. With a weight of shape,
-    /// vertices may move along the surface as well.
+    /// The displacements for which the distances of all pairs, from a point to the plane at its place, are least. With a weight
+    /// of shape, vertices may move along the surface as well.
     fn solve(&self, now: &Placement, mesh: &TriMesh, pairs: &Pairs, shape: Option<f64>) -> IdVec<VertexId, DVec3> {
         let small = SMALL * pairs.mean_distance();
         let by_face = pairs.by_domain_face(mesh.n_faces());
@@ -208,8 +220,8 @@ impl Fitter<'_> {
             let report = FitReport { start, end, ..FitReport::default() };
             return Fitted { domain: self.domain.clone(), offsets, report };
         }
-        let offsets: IdVec<VertexId, f64> = now.0.iter().map(|spot| spot.height).collect();
-        let region = RegionMap { points: now.0.iter().map(|spot| spot.point).collect(), ..self.domain.region.clone() };
+        let offsets: IdVec<VertexId, f64> = now.0.iter().map(|place| place.height).collect();
+        let region = RegionMap { points: now.0.iter().map(|place| place.point).collect(), ..self.domain.region.clone() };
         let report = FitReport {
             used,
             start,

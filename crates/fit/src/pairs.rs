@@ -1,5 +1,6 @@
 //! Samples of both surfaces, each with its place on the other one.
 
+use crate::FitError;
 use crate::terrain::{Foot, Terrain};
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, SurfacePoint, TriMesh, VertexId};
@@ -14,16 +15,19 @@ const SAMPLES: [DVec3; 4] = [
     DVec3::new(1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0),
     DVec3::new(1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0),
 ];
+/// Which of them is in the middle of the face.
+const MIDDLE: usize = 0;
 /// Samples of the input for each domain face: as many as the other way.
 const SAMPLES_BACK: usize = SAMPLES.len();
-/// Of so many samples with a place on an input face the nearest one is the start for a sample of the input on this face.
+/// A sample of the input starts at the domain face that the nearest sample on its own face came from. At most so many are
+/// compared.
 const MOST_STARTS: usize = 32;
-/// A pair counts in the fit when it is at most so far apart, as a share of the domain triangle's mean edge: further away lies another part
-/// of the surface, or one that the domain does not reach.
+/// A pair counts in the fit when it is at most so far apart, as a share of the domain triangle's mean edge: further away lies
+/// another part of the surface, or one that the domain does not reach.
 const NEAR: f64 = 0.5;
 /// A pair counts in the fit when the cosine of the angle between its faces is at least this.
 const FACING: f64 = 0.3;
-/// The golden ratio's fraction: its multiples spread evenly over 0 to 1.
+/// The fraction of the golden ratio. Fractions of its multiples spread evenly over 0 to 1.
 const SPREAD: f64 = 0.618_033_988_749_895;
 
 /// A point of the domain and one of the input: one is a sample, the other its closest point in the sheet.
@@ -31,6 +35,8 @@ const SPREAD: f64 = 0.618_033_988_749_895;
 pub(crate) struct Pair {
     pub(crate) domain: SurfacePoint,
     pub(crate) input: SurfacePoint,
+    /// True for the sample in the middle of a domain face.
+    pub(crate) is_middle: bool,
     /// The area that the sample stands for; 0 for vertices, which only count for the greatest distance.
     pub(crate) area: f64,
     pub(crate) distance: f64,
@@ -48,25 +54,30 @@ pub(crate) struct Pairs {
 }
 
 impl Pairs {
-    /// Samples of both, each with its place.
-    pub(crate) fn new(surface: &Surface, region: &RegionMap, input: &Terrain, domain: &Terrain) -> Self {
+    /// Samples of both, each with its place. Fails where a sample has no face of its sheet to start from on the other mesh.
+    pub(crate) fn new(surface: &Surface, region: &RegionMap, input: &Terrain, domain: &Terrain) -> Result<Self, FitError> {
         let faces: Vec<FaceId> = domain.mesh.faces().ids().collect();
         let on_face = |f: FaceId| {
             let starts = starts(surface, region, domain.mesh.face(f), region.sheet_of_face[f]);
-            SAMPLES.map(|barycentric| {
-                let area = domain.mesh.area(f) / SAMPLES.len() as f64;
-                let sample = SurfacePoint { face: f, barycentric };
-                first_pair(input, domain, &starts, sample, area)
-            })
+            let area = domain.mesh.area(f) / SAMPLES.len() as f64;
+            let pair = |i: usize| {
+                let sample = SurfacePoint { face: f, barycentric: SAMPLES[i] };
+                let place = nearest_foot(input, &starts, sample.position(domain.mesh))?.point;
+                Some(Pair { is_middle: i == MIDDLE, ..Pair::new(sample, place, area) })
+            };
+            (0..SAMPLES.len()).map(pair).collect::<Option<Vec<Pair>>>().ok_or(FitError::OutsideSheet(f))
         };
-        let mut forward = faces.into_par_iter().map(on_face).collect::<Vec<_>>().into_flattened();
+        let on_faces: Vec<_> = faces.into_par_iter().map(on_face).collect();
+        let mut forward = on_faces.into_iter().collect::<Result<Vec<Vec<Pair>>, FitError>>()?.concat();
         let back = samples_of_input(input.mesh, SAMPLES_BACK * domain.mesh.n_faces());
         let seeds = Seeds::new(input, domain.mesh, &forward);
-        let backward = back.into_par_iter().map(|(sample, area)| seeds.pair(input, domain, sample, area)).collect();
+        let placed: Vec<_> =
+            back.into_par_iter().map(|(sample, area)| seeds.pair(surface, input, domain, sample, area)).collect();
+        let backward = placed.into_iter().collect::<Result<_, FitError>>()?;
         forward.extend(vertex_pairs(region, domain));
         let mut pairs = Self { forward, backward };
         pairs.follow(input, domain);
-        pairs
+        Ok(pairs)
     }
 
     /// The mean distance of the samples of the domain that count.
@@ -119,7 +130,8 @@ impl ByFace<'_> {
     }
 }
 
-/// Sorts values by faces, those of one face in their order: start of every face's part and the end of the last, and the values.
+/// Sorts values by their faces, and leaves those of one face in their order. The first list has where the values of each face
+/// begin, and at its end where the last ones end; the second has the values.
 fn sorted_by_face<T: Copy + Default>(values: impl Iterator<Item = (FaceId, T)> + Clone, n_faces: usize) -> (Vec<usize>, Vec<T>) {
     let mut begin = vec![0; n_faces + 1];
     values.clone().for_each(|(f, _)| begin[f.index() + 1] += 1);
@@ -136,14 +148,14 @@ fn sorted_by_face<T: Copy + Default>(values: impl Iterator<Item = (FaceId, T)> +
 }
 
 impl Pair {
+    /// A pair that is not measured yet.
+    fn new(domain: SurfacePoint, input: SurfacePoint, area: f64) -> Self {
+        Self { domain, input, is_middle: false, area, distance: f64::INFINITY, is_sound: false }
+    }
+
     /// Whether the fit counts it.
     fn counts(&self) -> bool {
         self.is_sound && self.area > 0.0
-    }
-
-    /// True for the sample in the middle of a domain face.
-    pub(crate) fn is_middle(&self) -> bool {
-        self.domain.barycentric == SAMPLES[0]
     }
 
     fn judge(&mut self, squared_distance: f64, input: &TriMesh, domain: &TriMesh) {
@@ -171,14 +183,10 @@ fn starts(surface: &Surface, region: &RegionMap, corners: [VertexId; 3], sheet: 
     starts
 }
 
-/// A sample of the domain with its place, found from the best of some faces.
-fn first_pair(input: &Terrain, domain: &Terrain, starts: &[FaceId], sample: SurfacePoint, area: f64) -> Pair {
-    let p = sample.position(domain.mesh);
-    let feet = starts.iter().map(|&f| input.foot(f, p));
-    let start = feet.min_by(|a: &Foot, b| a.squared_distance.total_cmp(&b.squared_distance));
-    // The corners of a face are in its sheet; without any, the pair is not sound and stays out.
-    let input = start.map_or(SurfacePoint::at_corner(FaceId(0), 0), |foot| foot.point);
-    Pair { domain: sample, input, area, distance: f64::INFINITY, is_sound: false }
+/// The nearest of the feet of a position on some faces.
+fn nearest_foot(input: &Terrain, faces: &[FaceId], p: DVec3) -> Option<Foot> {
+    let feet = faces.iter().map(|&f| input.foot(f, p));
+    feet.min_by(|a, b| a.squared_distance.total_cmp(&b.squared_distance))
 }
 
 /// The vertices inside sheets.
@@ -187,12 +195,13 @@ fn vertex_pairs(region: &RegionMap, domain: &Terrain) -> Vec<Pair> {
     let pair = |v: VertexId| {
         let h = domain.topology.fan(v).next()?;
         let sample = SurfacePoint::at_corner(h.face(), h.corner());
-        Some(Pair { domain: sample, input: region.points[v], area: 0.0, distance: 0.0, is_sound: false })
+        Some(Pair::new(sample, region.points[v], 0.0))
     };
     free.filter_map(pair).collect()
 }
 
-/// About `n` points spread by area with the area of each, and after them the vertices, without one.
+/// About `n` points spread evenly over the area, each with the area that it stands for. After them come the vertices, with the
+/// area 0.
 fn samples_of_input(mesh: &TriMesh, n: usize) -> Vec<(SurfacePoint, f64)> {
     let step = mesh.total_area() / n.max(1) as f64;
     let mut samples = Vec::with_capacity(n + mesh.n_vertices());
@@ -218,13 +227,13 @@ fn samples_of_input(mesh: &TriMesh, n: usize) -> Vec<(SurfacePoint, f64)> {
     samples
 }
 
-/// Where the samples of the domain are, by faces of the input: starts for the samples of the input.
+/// The samples of the domain by the faces of the input that they are on: there the samples of the input start.
 struct Seeds {
-    /// Start of each face's part of `sorted`, and the end of the last.
+    /// Where the samples on each face begin in `sorted`, and at its end where the last ones end.
     begin: Vec<usize>,
     /// Position and domain face of the samples.
     sorted: Vec<(DVec3, u32)>,
-    /// For a face without samples the domain face of the nearest one, by number of faces on the way.
+    /// For every face the domain face of a sample on it, or of the one that is the fewest faces away inside the sheet.
     spread: IdVec<FaceId, Option<FaceId>>,
 }
 
@@ -246,14 +255,21 @@ impl Seeds {
         Self { begin, sorted, spread }
     }
 
-    /// A sample of the input with its place.
-    fn pair(&self, input: &Terrain, domain: &Terrain, sample: SurfacePoint, area: f64) -> Pair {
+    /// A sample of the input with its place. Fails where the domain has no face in its sheet.
+    fn pair(
+        &self,
+        surface: &Surface,
+        input: &Terrain,
+        domain: &Terrain,
+        sample: SurfacePoint,
+        area: f64,
+    ) -> Result<Pair, FitError> {
         let p = sample.position(input.mesh);
         let own = &self.sorted[self.begin[sample.face.index()]..self.begin[sample.face.index() + 1]];
         let some = own.iter().step_by(own.len() / MOST_STARTS + 1);
         let nearest = some.min_by(|a, b| a.0.distance_squared(p).total_cmp(&b.0.distance_squared(p))).map(|s| FaceId(s.1));
         let start = nearest.or(self.spread[sample.face]);
-        let place = start.map_or(SurfacePoint::at_corner(FaceId(0), 0), |f| domain.foot(f, p).point);
-        Pair { domain: place, input: sample, area, distance: f64::INFINITY, is_sound: false }
+        let start = start.ok_or_else(|| FitError::EmptySheet(surface.network().sheet_of_face[sample.face]))?;
+        Ok(Pair::new(domain.foot(start, p).point, sample, area))
     }
 }

@@ -2,50 +2,53 @@
 
 use crate::system::Freedom;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, Id, IdVec, MeshError, SurfacePoint, Topology, TriMesh, VertexId, walk};
+use mesh_core::{FaceId, Id, IdVec, MeshError, SurfacePoint, TriMesh, VertexId, walk};
 use rayon::prelude::*;
 use region_map::{Attachment, Domain, Surface};
 
 /// How far a vertex may slide over the surface in one round, as a share of the mean length of its edges.
 const SLIDE: f64 = 0.2;
-/// How often a vertex at a bad spot goes half of the way back before it goes all of it.
+/// How often a vertex that has gone too far goes half of the way back before it goes all of it.
 pub(crate) const HALVINGS: usize = 4;
 
 /// The place of one vertex.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Spot {
+pub(crate) struct Place {
     pub(crate) point: SurfacePoint,
-    pub(crate) foot: DVec3,
-    /// The surface's unit normal; zero for a vertex that stays.
-    pub(crate) normal: DVec3,
+    /// The position of the point.
+    foot: DVec3,
+    /// The surface's unit normal; `None` for a vertex that stays.
+    normal: Option<DVec3>,
+    /// Distance from the foot along the normal.
     pub(crate) height: f64,
 }
 
-impl Spot {
+impl Place {
     pub(crate) fn position(&self) -> DVec3 {
-        self.foot + self.height * self.normal
+        self.foot + self.normal.map_or(DVec3::ZERO, |normal| self.height * normal)
     }
 }
 
 /// The places of all vertices.
 #[derive(Clone, Debug)]
-pub(crate) struct Placement(pub(crate) IdVec<VertexId, Spot>);
+pub(crate) struct Placement(pub(crate) IdVec<VertexId, Place>);
 
 impl Placement {
-    /// On the surface; only vertices inside sheets have a normal.
+    /// On the surface. What is not inside a sheet stays, and so does what has no normal.
     pub(crate) fn new(surface: &Surface, Domain { mesh, region, .. }: &Domain) -> Self {
-        let spot = |v: VertexId| {
+        let place = |v: VertexId| {
             let point = region.points[v];
             let normal = match region.attachments[v] {
-                Attachment::Sheet(_) => surface.normals().at(point),
-                _ => DVec3::ZERO,
+                Attachment::Sheet(_) => normal_at(surface, point),
+                _ => None,
             };
-            Spot { point, foot: mesh.position(v), normal, height: 0.0 }
+            Place { point, foot: mesh.position(v), normal, height: 0.0 }
         };
-        Self(region.vertices().map(spot).collect())
+        Self(region.vertices().map(place).collect())
     }
 
-    /// Displaced: along the surface by walking inside the sheet, where `slides` says so, and by heights within their limits.
+    /// Every vertex displaced: the share `slide` of the part along the surface is walked inside the sheet, and the part along the
+    /// normal changes the height, which is at most `reach` times the mean edge length of the vertex.
     pub(crate) fn displaced(
         &self,
         surface: &Surface,
@@ -55,48 +58,48 @@ impl Placement {
         reach: f64,
     ) -> Self {
         let may_cross = |e| !surface.network().is_barrier(e);
-        let spot = |i: usize| {
+        let place = |i: usize| {
             let v = VertexId::new(i);
-            let (mut spot, displacement) = (self.0[v], displacements[v]);
-            if spot.normal == DVec3::ZERO {
-                return spot;
-            }
-            let rise = displacement.dot(spot.normal);
-            spot.height = (spot.height + rise).clamp(-reach * edges[v], reach * edges[v]);
-            let along = slide * (displacement - rise * spot.normal).clamp_length_max(SLIDE * edges[v]);
+            let (mut place, displacement) = (self.0[v], displacements[v]);
+            let Some(normal) = place.normal else { return place };
+            let rise = displacement.dot(normal);
+            // Edges of huge meshes may be infinitely long: then there may be no number, and no bound.
+            let bound = (reach * edges[v]).min(f64::MAX);
+            place.height = (place.height + rise).clamp(-bound, bound);
+            let along = slide * (displacement - rise * normal).clamp_length_max(SLIDE * edges[v]);
             if along != DVec3::ZERO {
-                let point = walk(surface.mesh(), surface.topology(), spot.point, along, may_cross).end;
-                let normal = surface.normals().at(point);
-                if normal != DVec3::ZERO {
-                    spot = Spot { point, foot: point.position(surface.mesh()), normal, ..spot };
+                let point = walk(surface.mesh(), surface.topology(), place.point, along, may_cross).end;
+                if let Some(normal) = normal_at(surface, point) {
+                    place = Place { point, foot: point.position(surface.mesh()), normal: Some(normal), ..place };
                 }
             }
-            spot
+            place
         };
-        Self(IdVec::from_vec((0..self.0.len()).into_par_iter().map(spot).collect()))
+        Self(IdVec::from_vec((0..self.0.len()).into_par_iter().map(place).collect()))
     }
 
-    /// What the vertices are free to do when they may slide, or only rise.
+    /// In which directions the vertices may move: all where they may slide, else their normals.
     pub(crate) fn freedoms(&self, slides: bool) -> IdVec<VertexId, Freedom> {
-        let freedom = |spot: &Spot| match spot.normal {
-            DVec3::ZERO => Freedom::Fixed,
-            _ if slides => Freedom::Free,
-            normal => Freedom::Along(normal),
+        let freedom = |place: &Place| match place.normal {
+            None => Freedom::Fixed,
+            Some(_) if slides => Freedom::Free,
+            Some(normal) => Freedom::Along(normal),
         };
         self.0.iter().map(freedom).collect()
     }
 
-    /// Takes the vertices of some faces back towards where they were; `round` counts up from 0. A vertex that has slid goes all the way.
+    /// Takes the vertices of some faces back towards where they were; `round` counts up from 0. A vertex that has slid goes all
+    /// the way.
     pub(crate) fn take_back(&mut self, domain: &TriMesh, before: &Self, faces: &[FaceId], round: usize) {
         let mut vertices: Vec<VertexId> = faces.iter().flat_map(|&f| domain.face(f)).collect();
         vertices.sort_unstable();
         vertices.dedup();
         for v in vertices {
-            let (spot, before) = (&mut self.0[v], before.0[v]);
-            if round < HALVINGS && spot.point == before.point {
-                spot.height = before.height + 0.5 * (spot.height - before.height);
+            let (place, before) = (&mut self.0[v], before.0[v]);
+            if round < HALVINGS && place.point == before.point {
+                place.height = before.height + 0.5 * (place.height - before.height);
             } else {
-                *spot = before;
+                *place = before;
             }
         }
     }
@@ -106,8 +109,13 @@ impl Placement {
     }
 
     pub(crate) fn mesh(&self, domain: &TriMesh) -> Result<TriMesh, MeshError> {
-        domain.with_positions(self.0.iter().map(Spot::position).collect())
+        domain.with_positions(self.0.iter().map(Place::position).collect())
     }
+}
+
+/// The unit normal at a point; `None` where those around it cancel.
+fn normal_at(surface: &Surface, point: SurfacePoint) -> Option<DVec3> {
+    Some(surface.normals().at(point)).filter(|&normal| normal != DVec3::ZERO)
 }
 
 /// The mean length of the edges of every vertex.
@@ -117,73 +125,4 @@ pub(crate) fn mean_edges(Domain { mesh, topology, .. }: &Domain) -> IdVec<Vertex
         lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
     };
     mesh.positions().ids().map(mean).collect()
-}
-
-/// The faces round some faces.
-fn neighbourhood(domain: &TriMesh, topology: &Topology, faces: &[FaceId]) -> Vec<FaceId> {
-    let mut around: Vec<FaceId> =
-        faces.iter().flat_map(|&f| domain.face(f)).flat_map(|v| topology.fan(v)).map(HalfedgeId::face).collect();
-    around.sort_unstable();
-    around.dedup();
-    around
-}
-
-/// No triangle may fall below the quality that this share of all triangles did not have at the start, unless it was there already.
-const WORST: f64 = 0.01;
-
-/// By what share the quality of the worst triangles may fall nevertheless: without it, vertices whose triangles are the worst of all stay
-/// on the surface while all around them rises (those of valence 5 of a sphere).
-const SLACK: f64 = 0.003;
-
-/// The shape that triangles had at the start and shall not lose.
-pub(crate) struct ShapeGuard<'a> {
-    domain: &'a TriMesh,
-    topology: &'a Topology,
-    /// The surface's normal under each face.
-    normals: IdVec<FaceId, DVec3>,
-    /// Least quality, negative against the normal.
-    least: IdVec<FaceId, f64>,
-    /// Mean quality at the start.
-    mean: f64,
-}
-
-impl<'a> ShapeGuard<'a> {
-    /// Triangles may lose the share `loss` of their quality.
-    pub(crate) fn new(domain: &'a TriMesh, topology: &'a Topology, normals: IdVec<FaceId, DVec3>, loss: f64) -> Self {
-        let start: Vec<f64> = normals.enumerate().map(|(f, &n)| signed_quality(domain.triangle(f), n)).collect();
-        let mut sorted = start.clone();
-        let rank = (WORST * sorted.len() as f64) as usize;
-        let floor = if sorted.is_empty() { 0.0 } else { *sorted.select_nth_unstable_by(rank, f64::total_cmp).1 };
-        let least =
-            start.iter().map(|&q| (q.min(floor) * (1.0 - SLACK.copysign(q))).max((1.0 - loss.copysign(q)) * q).min(q)).collect();
-        Self { domain, topology, normals, least, mean: mean(&start) }
-    }
-
-    /// By how much the mean quality has fallen.
-    pub(crate) fn loss(&self, now: &Placement) -> f64 {
-        let quality = |f: FaceId| signed_quality(now.triangle(self.domain, f), self.normals[f]);
-        let faces: Vec<FaceId> = self.domain.faces().ids().collect();
-        self.mean - mean(&faces.into_par_iter().map(quality).collect::<Vec<f64>>())
-    }
-
-    /// Takes vertices back until no triangle is worse than it may be; in `before` none is.
-    pub(crate) fn hold(&self, now: &mut Placement, before: &Placement) {
-        let mut suspects: Vec<FaceId> = self.domain.faces().ids().collect();
-        for round in 0.. {
-            suspects.retain(|&f| signed_quality(now.triangle(self.domain, f), self.normals[f]) < self.least[f]);
-            if suspects.is_empty() {
-                return;
-            }
-            now.take_back(self.domain, before, &suspects, round);
-            suspects = neighbourhood(self.domain, self.topology, &suspects);
-        }
-    }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len().max(1) as f64
-}
-
-fn signed_quality(triangle: [DVec3; 3], normal: DVec3) -> f64 {
-    mesh_core::aspect_ratio(triangle).copysign(mesh_core::vector_area(triangle).dot(normal))
 }

@@ -1,7 +1,7 @@
 //! The least squares problem of a round: one displacement for every vertex, found by conjugate gradients.
 //!
-//! The matrix is kept as 3x3 blocks for each pair of corners of each face. A product gathers by vertices, each from its fan in order, so it
-//! is the same on any number of threads.
+//! The matrix is kept as 3x3 blocks for each pair of corners of each face. A product gathers by vertices, each from its fan in
+//! order, so it is the same on any number of threads.
 
 use conjugate_gradients::solve;
 use glam::{DMat3, DVec3};
@@ -11,14 +11,14 @@ use rayon::prelude::*;
 /// Faces or vertices that one task works on.
 const BLOCK: usize = 2048;
 
-/// What a vertex is free to do.
+/// In which directions a vertex may move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Freedom {
-    /// Nothing.
+    /// In none.
     Fixed,
-    /// To move along this unit vector.
+    /// Along this unit vector, both ways.
     Along(DVec3),
-    /// To move anywhere.
+    /// In all.
     Free,
 }
 
@@ -66,8 +66,8 @@ impl Element {
         }
     }
 
-    /// Holds the vertices, which have moved so far already: with the weight `shape` against any difference of two, with `hold` against
-    /// each by itself.
+    /// Holds the vertices, which have moved so far already: with the weight `shape` against any difference of two, with `hold`
+    /// against each by itself.
     pub(crate) fn hold(&mut self, moved: [DVec3; 3], shape: f64, hold: f64) {
         let mean = (moved[0] + moved[1] + moved[2]) / 3.0;
         for (k, moved) in moved.into_iter().enumerate() {
@@ -96,8 +96,8 @@ impl<'a> System<'a> {
         Self { topology, freedoms, elements: IdVec::from_vec(elements.collect()) }
     }
 
-    /// Solves until the residual, in the metric of the inverse blocks on the diagonal, has fallen to the share `tolerance`, or for `most`
-    /// iterations.
+    /// Solves until the residual, in the metric of the inverse blocks on the diagonal, has fallen to the share `tolerance`, or
+    /// for `most` iterations.
     pub(crate) fn solve(&self, tolerance: f64, most: usize) -> IdVec<VertexId, DVec3> {
         let inverse = self.each(|v| {
             let own = self.topology.fan(v).map(|h| self.elements[h.face()].own[h.corner()]);

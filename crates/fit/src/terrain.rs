@@ -1,6 +1,6 @@
-//! A surface to stand on: the closest point is found by going downhill from a face that is known to be near, and never across a
-//! barrier. So a point that is followed from place to place cannot jump to another sheet, to the far side of a thin plate, or to
-//! a component that passes through this one.
+//! Closest points of a mesh, found from a face that is known to be near: from face to face, as long as the distance falls, and
+//! never across a barrier. So a point that is followed from place to place cannot jump to another sheet, to the far side of a
+//! thin plate, or to a component that passes through this one.
 
 use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, closest_on_triangle};

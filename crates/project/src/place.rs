@@ -14,7 +14,8 @@ pub struct Origins<'a> {
 }
 
 impl Origins<'_> {
-    /// Checks that the map is of this working mesh, and that there is a point for each of `n_vertices`, on a face of the base mesh.
+    /// Checks that the map is of this working mesh, and that there is a point for each of `n_vertices`, on a face of the base
+    /// mesh.
     pub(crate) fn check(&self, working: &TriMesh, n_vertices: usize) -> Result<(), ProjectError> {
         if !self.base.map.is_of(working) || !self.base.map_faces.iter().all(|&f| self.base.map.is_present(f)) {
             return Err(ProjectError::OtherMap);

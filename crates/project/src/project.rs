@@ -10,7 +10,8 @@ use region_map::{Attachment, Domain, RegionMap, Surface};
 /// How vertices are projected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProjectOptions {
-    /// How far from the place that the map gives a ray may hit, in mean edge lengths of the domain. Default 0.5; 0 turns the ray off.
+    /// How far from the place that the map gives a ray may hit, in mean edge lengths of the domain. Default 0.5. What is not
+    /// above 0 turns the ray off.
     pub ray_reach: f64,
 }
 
@@ -44,8 +45,8 @@ pub struct Projected {
 
 /// Puts every vertex of the domain on the surface, by its attachment: no vertex leaves its corner, arc or sheet.
 ///
-/// With `origins` vertices inside sheets go where the map of the base mesh has them. Fails where the domain does not fit the surface
-/// ([`Domain::check`]), or the origins don't fit the domain.
+/// With `origins` vertices inside sheets go where the map of the base mesh has them. Fails where the domain does not fit the
+/// surface ([`Domain::check`]), or the origins don't fit the domain.
 pub fn project(
     surface: &Surface,
     domain: &Domain,

@@ -4,8 +4,8 @@ use glam::DVec3;
 use mesh_core::{HalfedgeId, Id, IdVec, SurfacePoint, VertexId};
 use region_map::{Attachment, Domain, SheetId, Surface};
 
-/// A ray that hits farther away than this, in distances of the sheet, grazes it or has missed the part that it was meant for: such hits
-/// are the spikes of the paper's Fig. 5.
+/// A ray that hits farther away than this, in distances of the sheet, grazes it or has missed the part that it was meant for:
+/// such hits are the spikes of the paper's Fig. 5.
 const FARTHEST: f64 = 4.0;
 
 /// Distances below this share of the diagonal are rounding: flat sheets are hit at such.
@@ -33,8 +33,8 @@ impl<'a> Rays<'a> {
         facing.min_by(|a, b| a.t.total_cmp(&b.t)).map(|h| h.point())
     }
 
-    /// Where a position goes without a map: to where its ray hits, or to the nearest point of the sheet where it misses or hits far
-    /// away. The flag is true for a hit.
+    /// Where a position goes without a map: to where its ray hits, or to the nearest point of the sheet where it misses or hits
+    /// far away. The flag is true for a hit.
     pub(crate) fn place(&self, sheet: SheetId, from: DVec3, normal: DVec3) -> Option<(SurfacePoint, bool)> {
         let nearest = self.surface.sheet_index(sheet)?.closest(from)?;
         let hit = self.displaced(sheet, from, normal);
@@ -55,8 +55,8 @@ fn domain_normals(Domain { mesh, topology, .. }: &Domain) -> IdVec<VertexId, DVe
 /// 153, 19, 10, 0 on the kitten, 57, 5, 0, 0 on the rabbit, 16, 17, 16, 22 on fandisk.
 const ROUNDS: usize = 4;
 
-/// Normals averaged over the one-ring a few times: those of a linearly subdivided mesh are constant on every base triangle, and the
-/// paper's rays would leave a step at each base edge. Vertices where sheets meet have the normal of neither and are left out.
+/// Normals averaged over the one-ring a few times: those of a linearly subdivided mesh are constant on every base triangle, and
+/// the paper's rays would leave a step at each base edge. Vertices where sheets meet have the normal of neither and are left out.
 pub(crate) fn interpolated_normals(domain: &Domain) -> IdVec<VertexId, DVec3> {
     let Domain { mesh, topology, region } = domain;
     let mut normals = domain_normals(domain);

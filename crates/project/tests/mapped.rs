@@ -1,8 +1,9 @@
 //! Domains on a base mesh with its map to the surface.
 
 use glam::{DVec2, DVec3};
-use mesh_core::{FaceId, Id as _, IdVec, TriMesh, VertexId};
+use mesh_core::{FaceId, Id as _, IdVec, SurfacePoint, TriMesh, VertexId};
 use project::{Origins, ProjectError, ProjectOptions, ProjectReport, Projected, project};
+use proptest::prelude::*;
 use region_map::{
     ArcKind, ArcSpan, Attachment, BaseMap, BaseMesh, Chart, ChartFace, ChartId, Domain, MapFaceId, Network, RegionMap,
     RegionMapError, Surface,
@@ -65,7 +66,7 @@ fn base_mesh(surface: &Surface, base: &TriMesh) -> BaseMesh {
     let charts: IdVec<ChartId, Chart> = base.faces().ids().map(chart).collect();
     let faces: Vec<_> = charts.ids().map(|c| (c, [DVec2::ZERO, DVec2::X, DVec2::Y])).collect();
     let map_faces = (0..faces.len()).map(MapFaceId::new).collect();
-    BaseMesh { domain: Domain::new(mesh, region).unwrap(), map: BaseMap::new(charts, &faces), map_faces }
+    BaseMesh { domain: Domain::new(mesh, region).unwrap(), map: BaseMap::new(charts, &faces).unwrap(), map_faces }
 }
 
 /// The working faces of a base face, laid out as they were before they were bent.
@@ -194,4 +195,26 @@ fn origins_that_do_not_fit_are_refused() {
         let refused = project(&surface, &finest.domain, origins, &ProjectOptions::default()).unwrap_err();
         assert_eq!(refused, ProjectError::Region(expected));
     }
+}
+
+proptest! {
+    #[test]
+    fn any_origins_give_a_result_or_an_error(
+        vertex in 0..42u32,
+        face in prop_oneof![0..40u32, Just(u32::MAX)],
+        weights in [weight(), weight(), weight()],
+        ray_reach in weight(),
+    ) {
+        let Bed { surface, base, mut finest } = Bed::new(&fixtures::icosphere(1), |p| p.normalize(), 1);
+        finest.origins[VertexId(vertex)] = SurfacePoint { face: FaceId(face), barycentric: weights.into() };
+        let origins = Some(Origins { base: &base, points: &finest.origins });
+        if let Ok(projected) = project(&surface, &finest.domain, origins, &ProjectOptions { ray_reach }) {
+            projected.domain.check(surface.network()).unwrap();
+        }
+    }
+}
+
+/// Numbers that nobody thinks of.
+fn weight() -> impl Strategy<Value = f64> {
+    prop::sample::select(vec![0.0, 1.0, -1.0, 0.3, 1e300, f64::MAX, f64::NAN, f64::INFINITY, f64::NEG_INFINITY])
 }

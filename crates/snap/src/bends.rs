@@ -5,8 +5,8 @@ use mesh_core::VertexId;
 use region_map::{Arc, ArcSpan, Surface};
 use std::collections::BTreeMap;
 
-/// An edge that leaves its arc by less than this share of the arc length that it spans is as good as straight: on a circle it spans
-/// 14 degrees.
+/// An arc is as good as straight between the ends of an edge when it leaves the edge by less than this share of the arc length
+/// between them. On a circle that is an arc of 14 degrees.
 const LEAST_SHARE: f64 = 0.03;
 
 /// For every edge on an arc that leaves it by too much, the vertex of the arc that is farthest from the edge; the worst first.

@@ -1,6 +1,6 @@
-//! Vertices around those that were snapped go along, less and less with the distance.
+//! Moves the vertices around those that were snapped, less and less with the distance.
 
-use crate::claims::Claims;
+use crate::assignment::Assignment;
 use glam::DVec3;
 use mesh_core::{VertexId, walk};
 use region_map::{Attachment, Domain, RegionMap};
@@ -10,18 +10,18 @@ use std::collections::{BTreeMap, BTreeSet};
 const RINGS: usize = 4;
 const ROUNDS: usize = 12;
 
-/// Moves the vertices inside sheets around those whose points in `map` are not where the domain has them.
-pub(crate) fn drag(claims: &Claims, map: &mut RegionMap) {
-    let (surface, Domain { mesh, topology, .. }) = (claims.surface, claims.domain);
-    let target = |v: VertexId| map.points[v].position(surface.mesh()) - mesh.position(v);
-    let snapped = claims.pins.values().copied().chain(claims.tracks.iter().flat_map(|t| t.path.iter().copied()));
+/// Moves the vertices inside sheets around those whose points in `region` are not where the domain has them.
+pub(crate) fn drag(assignment: &Assignment, region: &mut RegionMap) {
+    let (surface, Domain { mesh, topology, .. }) = (assignment.surface, assignment.domain);
+    let target = |v: VertexId| region.points[v].position(surface.mesh()) - mesh.position(v);
+    let snapped = assignment.corners().values().copied().chain(assignment.pieces().iter().flat_map(|t| t.path.iter().copied()));
     let snapped: BTreeMap<VertexId, DVec3> = snapped.map(|v| (v, target(v))).collect();
     let mut reached: BTreeSet<VertexId> = snapped.keys().copied().collect();
     for _ in 0..RINGS {
         let next: Vec<VertexId> = reached.iter().flat_map(|&v| topology.one_ring(v)).collect();
         reached.extend(next);
     }
-    let is_free = |v: &VertexId| !snapped.contains_key(v) && matches!(map.attachments[*v], Attachment::Sheet(_));
+    let is_free = |v: &VertexId| !snapped.contains_key(v) && matches!(region.attachments[*v], Attachment::Sheet(_));
     let free: Vec<VertexId> = reached.into_iter().filter(is_free).collect();
     let mut ways = snapped.clone();
     for _ in 0..ROUNDS {
@@ -36,6 +36,6 @@ pub(crate) fn drag(claims: &Claims, map: &mut RegionMap) {
     }
     let may_cross = |e| !surface.network().is_barrier(e);
     for v in free {
-        map.points[v] = walk(surface.mesh(), surface.topology(), map.points[v], ways[&v], may_cross).end;
+        region.points[v] = walk(surface.mesh(), surface.topology(), region.points[v], ways[&v], may_cross).end;
     }
 }

@@ -1,4 +1,4 @@
-//! Minor creases in pieces that a path of edges can follow.
+//! Cuts minor creases in pieces that a path of edges can follow.
 
 use crate::{LetGo, SnapOptions};
 use mesh_core::{EdgeId, TriMesh, VertexId};
@@ -61,7 +61,7 @@ fn piece(surface: &Surface, vertices: &[VertexId]) -> Option<Piece> {
 
 /// Where the chain is cut: at its ends, sharp turns and meetings with arcs, and a closed one in three at least.
 fn breaks(surface: &Surface, chain: &[VertexId], options: &SnapOptions) -> Vec<usize> {
-    let last = chain.len() - 1;
+    let Some(last) = chain.len().checked_sub(1) else { return Vec::new() };
     let is_break =
         |&i: &usize| turn(surface.mesh(), &chain[i - 1..=i + 1]) > options.sharp_turn || touches_arc(surface, chain[i]);
     let mut breaks: Vec<usize> = (1..last).filter(is_break).collect();

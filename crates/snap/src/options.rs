@@ -1,4 +1,4 @@
-//! What the finest level can follow.
+//! Options of snapping.
 
 /// Which bends and creases are worth it, and what they may cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,16 +12,15 @@ pub struct SnapOptions {
     /// Measured: those of casting and mechpart turn by 3 to 10, of chinese_lion and spot by 9 to 15, the noise of kitten,
     /// rocker-arm and igea by 24 and more.
     pub most_turn: f64,
-    /// A piece is left unless it lies farther from the domain than its surface does elsewhere (in the mean against the median), by this
-    /// factor: less is not lost by cutting across it. Default 3. Measured medians: 7 of pensatore, camelhead and casting, 2.8 of
-    /// chinese_lion, 2 of noisy scans. Without it chinese_lion has AR .950, mean error 8.57e-5 and cover .67, with it .961, 8.68e-5
-    /// and .59; pensatore and casting stay the same, the noisy fixture organic_raw has .934 instead of .921.
+    /// A piece is left unless its mean distance from the domain is more than this many times the median distance of the surface
+    /// from the domain: a crease that is nearer is not lost. Default 3. Measured medians: 7 of pensatore, camelhead and casting,
+    /// 2.8 of chinese_lion, 2 of noisy scans. Without it chinese_lion has AR .950, mean error 8.57e-5 and cover .67, with it
+    /// .961, 8.68e-5 and .59; pensatore and casting stay the same, the noisy fixture organic_raw has .934 instead of .921.
     pub least_depth: f64,
     /// Where a minor crease turns by more than this at a vertex (degrees), it is cut in pieces there. Default 50.
     pub sharp_turn: f64,
-    /// A triangle beside a bend or piece is poor when its quality (AR) is less than this, and than before. Default 0.3.
-    /// Measured with 0.3 and 0.5: chinese_lion has AR .950 and .954, a crease cover of .67 and .63; casting .858 and .858, .982 and
-    /// .974.
+    /// A triangle beside a bend or piece is poor when its quality (AR) is less than this, and than before. Default 0.3. Measured
+    /// with 0.3 and 0.5: chinese_lion has AR .950 and .954, a crease cover of .67 and .63; casting .858 and .858, .982 and .974.
     pub least_quality: f64,
 }
 

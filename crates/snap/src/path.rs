@@ -1,8 +1,10 @@
 //! Paths of domain edges beside a piece of a minor crease (Dijkstra).
 
-use crate::claims::Claims;
+use crate::assignment::Assignment;
 use crate::minor::Piece;
-use mesh_core::{VertexId, closest_on_segment};
+use crate::polyline::Polyline;
+use mesh_core::VertexId;
+use region_map::Domain;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -10,36 +12,61 @@ use std::collections::{BTreeMap, BinaryHeap};
 const DISTANCE_WEIGHT: f64 = 6.0;
 /// No vertex of a path is farther from the crease, in edge lengths.
 const MOST_DISTANCE: f64 = 1.5;
-/// A path is between so much shorter and longer than the crease: else its edges would be much longer or shorter than those around.
+/// A path is between so much shorter and longer than the crease: else its edges would be much longer or shorter than those
+/// around.
 const LENGTHS: [f64; 2] = [0.6, 1.6];
 
 /// A path to be found.
 pub(crate) struct Path<'a, 'b> {
-    pub(crate) claims: &'a Claims<'b>,
-    pub(crate) piece: &'a Piece,
-    pub(crate) start: VertexId,
-    pub(crate) end: VertexId,
+    assignment: &'a Assignment<'b>,
+    piece: &'a Piece,
+    crease: Polyline,
+    start: VertexId,
+    end: VertexId,
 }
 
-impl Path<'_, '_> {
+/// How a vertex is reached at the least cost so far.
+#[derive(Clone, Copy)]
+struct Reached {
+    /// The cost's bits. Costs are not negative, so their bits are in order.
+    cost: u64,
+    previous: VertexId,
+    /// Distance from the crease.
+    distance: f64,
+}
+
+impl<'a, 'b> Path<'a, 'b> {
+    /// A path along `piece` from the domain vertex `start` to `end`.
+    pub(crate) fn new(assignment: &'a Assignment<'b>, piece: &'a Piece, start: VertexId, end: VertexId) -> Self {
+        let crease = piece.vertices.iter().map(|&v| assignment.surface.mesh().position(v)).collect();
+        Self { assignment, piece, crease: Polyline::new(crease), start, end }
+    }
+
     /// The cheapest path from start to end over free vertices of the sheet, without edges on arcs, or corners cut by one edge.
     pub(crate) fn shortest(&self) -> Option<Vec<VertexId>> {
         if self.start == self.end {
             return None;
         }
-        let mut previous: BTreeMap<VertexId, (u64, VertexId)> = BTreeMap::from([(self.start, (0, self.start))]);
-        let mut queue = BinaryHeap::from([Reverse((0, self.start))]); // costs are not negative: their bits are in order
+        let start = Reached { cost: 0, previous: self.start, distance: self.distance(self.start) };
+        let mut reached: BTreeMap<VertexId, Reached> = BTreeMap::from([(self.start, start)]);
+        let mut queue = BinaryHeap::from([Reverse((0, self.start))]);
         while let Some(Reverse((bits, v))) = queue.pop() {
             if v == self.end {
-                return self.straightened(&previous);
+                return self.straightened(&reached);
             }
-            if previous[&v].0 != bits {
+            let at = reached[&v];
+            if at.cost != bits {
                 continue;
             }
-            for w in self.claims.domain.topology.one_ring(v).filter(|&w| self.may_step(v, w)) {
-                let cost = (f64::from_bits(bits) + self.cost(v, w)).to_bits();
-                if previous.get(&w).is_none_or(|&(known, _)| cost < known) {
-                    previous.insert(w, (cost, v));
+            for w in self.assignment.domain.topology.one_ring(v) {
+                let known = reached.get(&w).copied();
+                let distance = known.map_or_else(|| self.distance(w), |known| known.distance);
+                if !self.may_step(v, w, distance) {
+                    continue;
+                }
+                let cost = (f64::from_bits(bits) + self.cost([v, w], [at.distance, distance])).to_bits();
+                if known.is_none_or(|known| cost < known.cost) {
+                    reached.insert(w, Reached { cost, previous: v, distance });
                     queue.push(Reverse((cost, w)));
                 }
             }
@@ -47,55 +74,49 @@ impl Path<'_, '_> {
         None
     }
 
-    fn may_step(&self, v: VertexId, w: VertexId) -> bool {
-        let claims = self.claims;
-        let inside = claims.is_free_in(w, self.piece.sheet) && self.distance(w) < MOST_DISTANCE * claims.edge_length();
+    /// May a path go from `v` to `w`, which is so far from the crease?
+    fn may_step(&self, v: VertexId, w: VertexId, distance: f64) -> bool {
+        let Assignment { domain, edge_length, .. } = self.assignment;
+        let inside = self.assignment.is_free_in(w, self.piece.sheet) && distance < MOST_DISTANCE * edge_length;
         // An edge between two arcs of another sheet would leave this one.
-        let in_sheet = |v: VertexId| claims.spokes(v).any(|h| claims.domain.region.sheet_of_face[h.face()] == self.piece.sheet);
-        (inside || w == self.end) && claims.domain.region.span(v, w).is_none() && in_sheet(v) && !self.is_claimed_edge(v, w)
+        let in_sheet = |v: VertexId| domain.topology.fan(v).any(|h| domain.region.sheet_of_face[h.face()] == self.piece.sheet);
+        (inside || w == self.end) && domain.region.span(v, w).is_none() && in_sheet(v) && !self.is_on_path(v, w)
     }
 
-    /// Does a track run along this edge?
-    fn is_claimed_edge(&self, v: VertexId, w: VertexId) -> bool {
+    /// Does the path along another piece run along this edge?
+    fn is_on_path(&self, v: VertexId, w: VertexId) -> bool {
         let runs = |pair: &[VertexId]| pair == [v, w] || pair == [w, v];
-        (v, w) == (self.start, self.end) && self.claims.tracks.iter().any(|track| track.path.windows(2).any(runs))
+        let mut pieces = self.assignment.pieces().iter();
+        (v, w) == (self.start, self.end) && pieces.any(|followed| followed.path.windows(2).any(runs))
     }
 
-    fn cost(&self, v: VertexId, w: VertexId) -> f64 {
-        let unit = self.claims.edge_length();
-        let [a, b] = [v, w].map(|v| (self.distance(v) / unit).powi(2));
-        self.claims.domain.mesh.distance(v, w) * (1.0 + DISTANCE_WEIGHT * 0.5 * (a + b))
+    fn cost(&self, [v, w]: [VertexId; 2], distances: [f64; 2]) -> f64 {
+        let Assignment { domain, edge_length, .. } = self.assignment;
+        let [a, b] = distances.map(|distance| (distance / edge_length).powi(2));
+        domain.mesh.distance(v, w) * (1.0 + DISTANCE_WEIGHT * 0.5 * (a + b))
     }
 
     /// Distance of a domain vertex from the piece.
     fn distance(&self, v: VertexId) -> f64 {
-        let (mesh, p) = (self.claims.surface.mesh(), self.claims.domain.mesh.position(v));
-        let to_segment = |ends: &[VertexId]| {
-            let (a, b) = (mesh.position(ends[0]), mesh.position(ends[1]));
-            p.distance(a.lerp(b, closest_on_segment(p, a, b)))
-        };
-        self.piece.vertices.windows(2).map(to_segment).fold(f64::INFINITY, f64::min)
+        self.crease.distance(self.assignment.domain.mesh.position(v))
     }
 
     /// The path back from the end, without vertices whose neighbours on it are joined by an edge: on a straight crease such a
     /// triangle would have no area. `None` when it is too long or too short.
-    fn straightened(&self, previous: &BTreeMap<VertexId, (u64, VertexId)>) -> Option<Vec<VertexId>> {
-        let claims = self.claims;
+    fn straightened(&self, reached: &BTreeMap<VertexId, Reached>) -> Option<Vec<VertexId>> {
+        let Domain { mesh, topology, region } = self.assignment.domain;
         let mut path = vec![self.end];
         let mut at = self.end;
         while at != self.start {
-            at = previous[&at].1;
+            at = reached[&at].previous;
             let n = path.len();
-            if n > 1
-                && claims.domain.topology.find_edge(path[n - 2], at).is_some()
-                && claims.domain.region.span(path[n - 2], at).is_none()
-            {
+            if n > 1 && topology.find_edge(path[n - 2], at).is_some() && region.span(path[n - 2], at).is_none() {
                 path.pop();
             }
             path.push(at);
         }
         path.reverse();
-        let length = claims.domain.mesh.chain_length(&path);
+        let length = mesh.chain_length(&path);
         let [least, most] = LENGTHS.map(|share| share * self.piece.length);
         (least < length && length < most).then_some(path)
     }

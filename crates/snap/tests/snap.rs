@@ -1,21 +1,18 @@
 //! Snapping on grids with creases whose places are known. `Bed::snap` checks what always holds.
 
 use glam::DVec3;
-use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId, walk};
+use mesh_core::{EdgeId, FaceId, IdVec, Topology, TriMesh, VertexId, walk};
 use proptest::prelude::*;
-use region_map::{ArcKind, ArcSpan, Attachment, Network, RegionMap, SheetNormals, Surface};
-use snap::{LetGo, SnapOptions, Snapped, snap};
+use region_map::{ArcKind, ArcSpan, Attachment, Domain, Network, Surface};
+use snap::{Bend, LetGo, SnapOptions, Snapped, Track, snap};
 
 /// Cells of the grid along each axis.
 const N: usize = 20;
 
 /// A grid over the unit square as the surface, and as domain itself.
 struct Bed {
-    mesh: TriMesh,
-    topology: Topology,
-    network: Network,
-    normals: SheetNormals,
-    map: RegionMap,
+    surface: Surface,
+    domain: Domain,
 }
 
 fn vertex(x: usize, y: usize) -> VertexId {
@@ -40,14 +37,9 @@ impl Bed {
             kinds[topology.find_edge(w[0], w[1]).unwrap()] = Some(ArcKind::Sharp);
         }
         let corners = [vertex(0, 0), vertex(N, 0), vertex(0, N), vertex(N, N)];
-        let network = Network::trace(&mesh, &topology, &kinds, |v| corners.contains(&v), minor);
-        let normals = SheetNormals::new(&mesh, &topology, &network);
-        let map = RegionMap::identity(&topology, &network);
-        Self { mesh, topology, network, normals, map }
-    }
-
-    fn surface(&self) -> Surface<'_> {
-        Surface { mesh: &self.mesh, topology: &self.topology, network: &self.network, normals: &self.normals }
+        let network = Network::trace(&mesh, &topology, &kinds, |v| corners.contains(&v), minor).unwrap();
+        let surface = Surface::new(mesh, topology, network).unwrap();
+        Self { domain: Domain::identity(&surface), surface }
     }
 
     /// Moves the vertices inside sheets by up to this share of a cell.
@@ -57,29 +49,29 @@ impl Bed {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
         };
-        for v in self.map.vertices() {
+        let Self { surface, domain } = &self;
+        let mut region = domain.region.clone();
+        for v in region.vertices() {
             let way = share / N as f64 * DVec3::new(random(), random(), 0.0);
-            if let Attachment::Sheet(_) = self.map.attachments[v] {
-                let free = |e| !self.network.is_barrier(e);
-                self.map.points[v] = walk(&self.mesh, &self.topology, self.map.points[v], way, free).end;
+            if let Attachment::Sheet(_) = region.attachments[v] {
+                let free = |e| !surface.network().is_barrier(e);
+                region.points[v] = walk(surface.mesh(), surface.topology(), region.points[v], way, free).end;
             }
         }
+        self.domain = domain.placed(surface, region).unwrap();
         self
     }
 
-    fn domain(&self) -> TriMesh {
-        self.mesh.with_positions(self.map.points.iter().map(|p| p.position(&self.mesh)).collect()).unwrap()
-    }
-
-    /// Snaps, and checks the new map and that all points are in their sheets.
+    /// Snaps, and checks that the domain fits the new surface and that all points are in their sheets.
     fn snap(&self, let_go: &LetGo, options: &SnapOptions) -> Snapped {
-        let snapped = snap(&self.surface(), &self.domain(), &self.topology, &self.map, let_go, options).unwrap();
-        snapped.map.check(&self.topology, &snapped.network).unwrap();
-        for (v, point) in snapped.map.points.enumerate() {
-            if let Attachment::Sheet(sheet) = snapped.map.attachments[v] {
-                assert_eq!(snapped.network.sheet_of_face[point.face], sheet, "{v}");
+        let snapped = snap(&self.surface, &self.domain, let_go, options).unwrap();
+        let (network, Domain { mesh, region, .. }) = (snapped.surface.network(), &snapped.domain);
+        snapped.domain.check(network).unwrap();
+        for (v, point) in region.points.enumerate() {
+            if let Attachment::Sheet(sheet) = region.attachments[v] {
+                assert_eq!(network.sheet_of_face[point.face], sheet, "{v}");
             }
-            assert!(point.position(&self.mesh).distance(snapped.mesh.position(v)) < 1e-12);
+            assert!(point.position(self.surface.mesh()).distance(mesh.position(v)) < 1e-12);
         }
         snapped
     }
@@ -110,14 +102,15 @@ proptest! {
     fn a_minor_crease_becomes_an_arc(seed: u64, share in 0.0..0.4) {
         let bed = ridge().jitter(share, seed);
         let snapped = bed.snap(&LetGo::default(), &all());
-        let [(edges, path)] = &snapped.tracks[..] else { panic!("{:?}", snapped.tracks) };
+        let [Track { edges, path }] = &snapped.tracks[..] else { panic!("{:?}", snapped.tracks) };
+        let (network, mesh) = (snapped.surface.network(), &snapped.domain.mesh);
         prop_assert_eq!(edges.len(), 12);
-        prop_assert_eq!((snapped.network.arcs.len(), snapped.network.n_sheets), (bed.network.arcs.len() + 1, 1));
-        prop_assert!(snapped.network.minor.is_empty());
+        prop_assert_eq!((network.arcs.len(), network.n_sheets), (bed.surface.network().arcs.len() + 1, 1));
+        prop_assert!(network.minor.is_empty());
         for &v in path {
-            prop_assert!((snapped.mesh.position(v).y - 0.5).abs() < 1e-12);
+            prop_assert!((mesh.position(v).y - 0.5).abs() < 1e-12);
         }
-        let ends = [path[0], path[path.len() - 1]].map(|v| snapped.mesh.position(v).x);
+        let ends = [path[0], path[path.len() - 1]].map(|v| mesh.position(v).x);
         prop_assert!((ends[0].min(ends[1]) - 0.2).abs() < 1e-12 && (ends[0].max(ends[1]) - 0.8).abs() < 1e-12);
     }
 
@@ -125,15 +118,16 @@ proptest! {
     fn a_closed_minor_crease_cuts_off_a_sheet(seed: u64, share in 0.0..0.3) {
         let bed = square().jitter(share, seed);
         let snapped = bed.snap(&LetGo::default(), &all());
-        prop_assume!(snapped.network.minor.is_empty()); // else a piece found no path
-        prop_assert_eq!(snapped.network.n_sheets, 2);
+        let (mesh, network) = (bed.surface.mesh(), snapped.surface.network());
+        prop_assert!(network.minor.is_empty(), "a piece found no path");
+        prop_assert_eq!(network.n_sheets, 2);
         let area = |sheet| {
-            let faces = snapped.network.sheet_of_face.enumerate().filter(|(_, s)| **s == sheet);
-            faces.map(|(f, _)| bed.mesh.area(f)).sum::<f64>()
+            let faces = network.sheet_of_face.enumerate().filter(|(_, s)| **s == sheet);
+            faces.map(|(f, _)| mesh.area(f)).sum::<f64>()
         };
-        for (f, &sheet) in snapped.map.sheet_of_face.enumerate() {
+        for (f, &sheet) in snapped.domain.region.sheet_of_face.enumerate() {
             let inside = area(sheet) < 0.5;
-            let centre = bed.mesh.centroid(f);
+            let centre = mesh.centroid(f);
             // The path keeps to within a cell or two of the square.
             if (centre - DVec3::new(0.5, 0.5, 0.0)).abs().max_element() < 0.12 {
                 prop_assert!(inside);
@@ -152,15 +146,15 @@ fn a_crease_that_is_not_missed_is_left() {
 fn what_is_let_go_or_not_worth_it_is_left() {
     let bed = ridge();
     assert!(bed.snap(&LetGo::default(), &SnapOptions { least_length: 13.0, ..all() }).is_unchanged(), "it is too short");
-    let edges = &bed.snap(&LetGo::default(), &all()).tracks[0].0;
+    let edges = &bed.snap(&LetGo::default(), &all()).tracks[0].edges;
     // Without its middle both halves are followed; without every third edge none is long enough.
     let without = |step: usize, first: usize| LetGo {
         minor: edges.iter().skip(first).step_by(step).copied().collect(),
         ..LetGo::default()
     };
     let halved = bed.snap(&without(12, 5), &all());
-    assert_eq!(halved.tracks.iter().map(|(edges, _)| edges.len()).collect::<Vec<_>>(), [5, 6]);
-    assert_eq!(halved.network.minor.iter().map(Vec::len).collect::<Vec<_>>(), [2]);
+    assert_eq!(halved.tracks.iter().map(|track| track.edges.len()).collect::<Vec<_>>(), [5, 6]);
+    assert_eq!(halved.surface.network().minor.iter().map(Vec::len).collect::<Vec<_>>(), [2]);
     assert!(bed.snap(&without(3, 0), &all()).is_unchanged());
 }
 
@@ -174,30 +168,32 @@ fn a_zigzag_is_left() {
 /// A crease with a right angle between two corners, and the domain's vertices on it half a cell beside the surface's.
 fn bent() -> Bed {
     let chain: Vec<VertexId> = (0..=10).map(|x| vertex(x, 10)).chain((0..10).rev().map(|y| vertex(10, y))).collect();
-    let mut bed = Bed::new(|_, _| 0.0, &chain, Vec::new());
-    let (arc, a) = bed.network.arcs.enumerate().find(|(_, a)| a.kind == ArcKind::Sharp).unwrap();
+    let Bed { surface, mut domain } = Bed::new(|_, _| 0.0, &chain, Vec::new());
+    let (arc, a) = surface.network().arcs.enumerate().find(|(_, a)| a.kind == ArcKind::Sharp).unwrap();
     let slide = 0.4 / N as f64;
     let slid = |t: f64| if t <= 1e-9 || t >= a.length() - 1e-9 { t } else { t - slide };
+    let mut region = domain.region.clone();
     for (v, &t) in a.vertices.iter().zip(&a.lengths).filter(|&(_, &t)| slid(t) != t) {
-        bed.map.attachments[*v] = Attachment::Arc { arc, t: slid(t) };
-        bed.map.points[*v] = a.point(&bed.topology, slid(t));
+        region.attachments[*v] = Attachment::Arc { arc, t: slid(t) };
+        region.points[*v] = a.point(surface.topology(), slid(t));
     }
     for (v, t) in a.vertices.windows(2).zip(a.lengths.windows(2)) {
-        bed.map.insert_span(v[0], v[1], ArcSpan { arc, from: slid(t[0]), to: slid(t[1]) });
+        region.insert_span(v[0], v[1], ArcSpan { arc, from: slid(t[0]), to: slid(t[1]) });
     }
-    bed
+    domain = domain.placed(&surface, region).unwrap();
+    Bed { surface, domain }
 }
 
 #[test]
 fn a_bend_takes_the_nearer_vertex() {
     let bed = bent();
-    bed.map.check(&bed.topology, &bed.network).unwrap();
+    bed.domain.check(bed.surface.network()).unwrap();
     let snapped = bed.snap(&LetGo::default(), &all());
-    let [(bend, v)] = snapped.bends[..] else { panic!("{:?}", snapped.bends) };
-    assert_eq!((bend, v), (vertex(10, 10), vertex(10, 10)));
-    assert_eq!(snapped.mesh.position(v), bed.mesh.position(bend));
-    assert_eq!(snapped.network.corners.len(), bed.network.corners.len() + 1);
-    let let_go = LetGo { bends: [bend].into(), ..LetGo::default() };
+    let [Bend { at, vertex: v }] = snapped.bends[..] else { panic!("{:?}", snapped.bends) };
+    assert_eq!((at, v), (vertex(10, 10), vertex(10, 10)));
+    assert_eq!(snapped.domain.mesh.position(v), bed.surface.mesh().position(at));
+    assert_eq!(snapped.surface.network().corners.len(), bed.surface.network().corners.len() + 1);
+    let let_go = LetGo { bends: [at].into(), ..LetGo::default() };
     assert!(bed.snap(&let_go, &all()).is_unchanged());
 }
 
@@ -205,29 +201,33 @@ fn a_bend_takes_the_nearer_vertex() {
 fn poor_halves_and_bends_are_named() {
     let bed = ridge();
     let snapped = bed.snap(&LetGo::default(), &all());
-    let before = bed.domain();
-    assert_eq!(snapped.poor(&bed.topology, [&before; 2], &[], &all()), LetGo::default());
-    let (edges, path) = &snapped.tracks[0];
+    let before = &bed.domain.mesh;
+    let poor = |snapped: &Snapped, after: &TriMesh, refused: &[FaceId]| snapped.poor([before, after], refused, &all()).unwrap();
+    assert_eq!(poor(&snapped, before, &[]), LetGo::default());
+    let Track { edges, path } = &snapped.tracks[0];
     let moved = |v: VertexId| {
         let mut positions = before.positions().clone();
         positions[v] += DVec3::new(0.0, 3.0 / N as f64, 0.0);
         before.with_positions(positions.into_vec()).unwrap()
     };
-    let poor = snapped.poor(&bed.topology, [&before, &moved(path[2])], &[], &all());
-    assert_eq!(poor.minor, edges[..6].iter().copied().collect());
+    assert_eq!(poor(&snapped, &moved(path[2]), &[]).minor, edges[..6].iter().copied().collect());
     // As for a triangle there that is refused.
-    let beside = bed.topology.fan(path[2]).next().unwrap().face();
-    let poor = snapped.poor(&bed.topology, [&before; 2], &[beside], &all());
-    assert!(!poor.minor.is_empty() && edges[..6].iter().all(|e| poor.minor.contains(e)), "{poor:?}");
+    let beside = bed.domain.topology.fan(path[2]).next().unwrap().face();
+    let refused = poor(&snapped, before, &[beside, FaceId(99_999)]);
+    assert!(!refused.minor.is_empty() && edges[..6].iter().all(|e| refused.minor.contains(e)), "{refused:?}");
     let snapped = bent().snap(&LetGo::default(), &all());
-    let poor = snapped.poor(&bed.topology, [&before, &moved(vertex(10, 10))], &[], &all());
-    assert_eq!(poor.bends, [vertex(10, 10)].into());
+    assert_eq!(poor(&snapped, &moved(vertex(10, 10)), &[]).bends, [vertex(10, 10)].into());
 }
 
 #[test]
-fn a_map_of_another_mesh_is_refused() {
-    let mut bed = ridge();
-    bed.map.points = IdVec::new();
-    let domain = bed.mesh.clone();
-    assert!(snap(&bed.surface(), &domain, &bed.topology, &bed.map, &LetGo::default(), &all()).is_err());
+fn a_domain_of_another_size_is_refused() {
+    let Bed { surface, domain } = ridge();
+    let other = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]).unwrap();
+    let snapped = snap(&surface, &domain, &LetGo::default(), &all()).unwrap();
+    assert!(snapped.poor([&domain.mesh, &other], &[], &all()).is_err());
+    let mut region = domain.region.clone();
+    region.points = IdVec::new();
+    for wrong in [Domain { region, ..domain.clone() }, Domain { mesh: other, ..domain }] {
+        assert!(snap(&surface, &wrong, &LetGo::default(), &all()).is_err());
+    }
 }

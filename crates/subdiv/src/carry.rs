@@ -14,14 +14,14 @@ pub struct Carried {
     pub new_faces: Vec<FaceId>,
 }
 
-/// Carries a domain over to its base mesh with bisected edges: the vertices that were there stay where they are, and every new one is put
-/// in the middle of an edge between them.
+/// Carries a domain over to its base mesh with bisected edges: the vertices that were there stay where they are, and every new
+/// one is put in the middle of an edge between them.
 ///
-/// `before` is `base_before` subdivided, with its vertices anywhere on the surface. `base_after` is `base_before` after each edge in
-/// `bisections` got a new vertex, in this order; the first one has the number after the last vertex of `base_before`.
+/// `before` is `base_before` subdivided, with its vertices anywhere on the surface. `base_after` is `base_before` after each edge
+/// in `bisections` got a new vertex, in this order; the first one has the number after the last vertex of `base_before`.
 ///
-/// `None` where `base_after` is not what the bisections make of the base, or where a new vertex has no neighbour inside its sheet that it
-/// could start from. Fails where `before` does not fit the surface, or `base_after` cannot be subdivided as often.
+/// `None` where `base_after` is not what the bisections make of the base, or where a new vertex has no neighbour inside its sheet
+/// that it could start from. Fails where `before` does not fit the surface, or `base_after` cannot be subdivided as often.
 pub fn carried_over(
     surface: &Surface,
     before: &Domain,

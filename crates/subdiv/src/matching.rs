@@ -1,9 +1,9 @@
-//! Which vertex is which in the finest levels of a base mesh before and after edges of it are bisected: no vertex is lost, and every new
-//! one is the middle of an edge that was there before.
+//! Which vertex is which in the finest levels of a base mesh before and after edges of it are bisected: no vertex is lost, and
+//! every new one is the middle of an edge that was there before.
 //!
-//! Let a base face (a, b, c) be cut from c to the middle m of ab. A vertex of the finest level with the weights (p, q, r) / n in it has,
-//! where p is at least q, the weights (p - q, 2q, r) / n in (a, m, c), and so is one of the vertices there. The others lie half way
-//! between two that differ by a step along ab.
+//! Let a base face (a, b, c) be cut from c to the middle m of ab. A vertex of the finest level with the weights (p, q, r) / n in
+//! it has, where p is at least q, the weights (p - q, 2q, r) / n in (a, m, c), and so is one of the vertices there. The others
+//! lie half way between two that differ by a step along ab.
 
 use crate::grid::{Grid, Place, finest_corners};
 use mesh_core::{FaceId, Id as _, IdVec, TriMesh, VertexId};
@@ -21,8 +21,8 @@ pub(crate) struct Middle {
 /// The vertices of a domain on a base mesh with bisected edges, told by those of the domain before.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Matching {
-    /// The new vertices in the order in which they can be made. They have the numbers after those of the vertices of the domain before;
-    /// so have those that they lie between.
+    /// The new vertices in the order in which they can be made. They have the numbers after those of the vertices of the domain
+    /// before; so have those that they lie between.
     pub(crate) middles: Vec<Middle>,
     /// For every vertex of the new domain its number: that of the vertex before, or that of a new one.
     pub(crate) numbers: IdVec<VertexId, VertexId>,
@@ -50,8 +50,8 @@ impl Subdivided<'_> {
     }
 }
 
-/// Matches the subdivision of a base mesh with that of the same base mesh after bisections: of the edges (a, b) by a new base vertex m,
-/// given as [a, b, m] in their order. `None` where the new base mesh is not what these make of the old one.
+/// Matches the subdivision of a base mesh with that of the same base mesh after bisections: of the edges (a, b) by a new base
+/// vertex m, given as [a, b, m] in their order. `None` where the new base mesh is not what these make of the old one.
 pub(crate) fn matching(before: Subdivided<'_>, bisections: &[[VertexId; 3]], after: Subdivided<'_>) -> Option<Matching> {
     let levels = before.levels().filter(|&levels| after.levels() == Some(levels))?;
     let corners = finest_corners(levels);

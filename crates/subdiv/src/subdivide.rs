@@ -8,8 +8,8 @@ use std::sync::Arc;
 /// A base mesh, subdivided.
 #[derive(Clone, Debug)]
 pub struct SubdivDomain {
-    /// The finest level; positions are linear in the base triangles, and attachments inherited. The points of the base vertices are
-    /// theirs; a new vertex has the point of an end of its edge until it is projected.
+    /// The finest level; positions are linear in the base triangles, and attachments inherited. The points of the base vertices
+    /// are theirs; a new vertex has the point of an end of its edge until it is projected.
     pub domain: Domain,
     /// How many times every face was split.
     pub level: u32,
@@ -41,8 +41,8 @@ pub enum SubdivError {
 
 /// Splits every face of a base mesh `levels` times in four.
 ///
-/// Fails where the finest level would have too many faces, where the parts of the base are not of the same size, or where a midpoint
-/// is not finite.
+/// Fails where the finest level would have too many faces, where the parts of the base are not of the same size, or where a
+/// midpoint is not finite.
 pub fn subdivide(base: &Domain, levels: u32) -> Result<SubdivDomain, SubdivError> {
     let n_faces = base.topology.n_faces();
     let finest = 4u64.checked_pow(levels).and_then(|n| n.checked_mul(3 * n_faces as u64));

@@ -1,4 +1,5 @@
-//! Domains carried over to a base mesh with more vertices. Each surface is its own base mesh, so middles of its flat faces are known.
+//! Domains carried over to a base mesh with more vertices. Each surface is its own base mesh, so middles of its flat faces are
+//! known.
 
 use mesh_core::{FaceId, Id as _, IdVec, TriMesh, VertexId};
 use region_map::{ArcSpan, Attachment, Domain, Surface};

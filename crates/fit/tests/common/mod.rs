@@ -2,31 +2,21 @@
 
 #![allow(unreachable_pub, reason = "a module that only tests see")]
 
-use fit::{FitError, FitOptions, Fitted, fit};
+use fit::{FitOptions, Fitted, fit_holding};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, Id, IdVec, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId};
-use region_map::{ArcId, ArcKind, ArcSpan, Attachment, Network, RegionMap, SheetNormals, Surface};
+use mesh_core::{FaceId, Id, SurfaceIndex, SurfacePoint, Topology, TriMesh, VertexId};
+use region_map::{ArcId, ArcKind, ArcSpan, Attachment, Domain, Network, Surface};
 use std::collections::BTreeMap;
 
 pub struct Bed {
-    pub mesh: TriMesh,
-    pub mesh_topology: Topology,
-    pub network: Network,
-    pub normals: SheetNormals,
-    pub domain: TriMesh,
-    pub topology: Topology,
-    pub map: RegionMap,
+    pub surface: Surface,
+    pub domain: Domain,
 }
 
-/// The arcs of a mesh: where it bends by this angle in degrees or more, and its border.
-fn network_of(mesh: &TriMesh, topology: &Topology, bend: f64) -> Network {
-    let kinds: IdVec<EdgeId, Option<ArcKind>> = topology
-        .edge_ids()
-        .map(|e| match topology.edge_faces(e) {
-            (_, None) => Some(ArcKind::Border),
-            (f, Some(g)) => (mesh.normal(f).angle_between(mesh.normal(g)) > bend.to_radians()).then_some(ArcKind::Sharp),
-        })
-        .collect();
+/// A surface whose arcs are its border and the edges where it bends by more than this angle in degrees.
+fn surface_of(mesh: TriMesh, bend: f64) -> Surface {
+    let topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
+    let kinds = ArcKind::by_angle(&mesh, &topology, bend);
     // Right angles along a chain are corners.
     let is_corner = |v: VertexId| {
         let ends: Vec<DVec3> = topology
@@ -36,7 +26,8 @@ fn network_of(mesh: &TriMesh, topology: &Topology, bend: f64) -> Network {
             .collect();
         ends.len() == 2 && ends[0].dot(ends[1]) > -0.5
     };
-    Network::trace(mesh, topology, &kinds, is_corner, vec![])
+    let network = Network::trace(&mesh, &topology, &kinds, is_corner, vec![]).unwrap();
+    Surface::new(mesh, topology, network).unwrap()
 }
 
 impl Bed {
@@ -51,27 +42,24 @@ impl Bed {
     }
 
     fn with_creases(mesh: TriMesh, coarse: &TriMesh, levels: u32, bend: f64) -> Self {
-        let mesh_topology = Topology::new(mesh.faces(), mesh.n_vertices()).unwrap();
-        let network = network_of(&mesh, &mesh_topology, bend);
-        let normals = SheetNormals::new(&mesh, &mesh_topology, &network);
-        let index = SurfaceIndex::new(&mesh);
-
-        let coarse_topology = Topology::new(coarse.faces(), coarse.n_vertices()).unwrap();
-        let coarse_network = network_of(coarse, &coarse_topology, bend);
-        let mut map = RegionMap::identity(&coarse_topology, &coarse_network);
+        let surface = surface_of(mesh, bend);
+        let (mesh, network) = (surface.mesh(), surface.network());
+        let coarse_surface = surface_of(coarse.clone(), bend);
+        let mut domain = Domain::identity(&coarse_surface);
+        let map = &mut domain.region;
         // Sheets, arcs and corners of the coarse mesh are named by the surface's that lie there.
         let sheet = |f: FaceId| {
             let (middle, normal) = (coarse.centroid(f), coarse.normal(f));
             let facing = |g: FaceId| mesh.normal(g).dot(normal) > 0.9;
-            network.sheet_of_face[index.closest_where(middle, facing).unwrap().face]
+            network.sheet_of_face[surface.index().closest_where(middle, facing).unwrap().face]
         };
         map.sheet_of_face = coarse.faces().ids().map(sheet).collect();
-        let on_arc = |a: DVec3, b: DVec3| nearest_arc(&mesh, &network, a.midpoint(b));
+        let on_arc = |a: DVec3, b: DVec3| nearest_arc(mesh, network, a.midpoint(b));
         map.spans = BTreeMap::new();
-        for e in coarse_topology.edge_ids().filter(|&e| coarse_network.is_barrier(e)) {
-            let [a, b] = coarse_topology.ends(e);
+        for e in domain.topology.edge_ids().filter(|&e| coarse_surface.network().is_barrier(e)) {
+            let [a, b] = domain.topology.ends(e);
             let ends = [a, b].map(|v| coarse.position(v));
-            map.insert_span(a, b, span(&mesh, &network, on_arc(ends[0], ends[1]), ends));
+            map.insert_span(a, b, span(mesh, network, on_arc(ends[0], ends[1]), ends));
         }
         for v in coarse.positions().ids() {
             let p = coarse.position(v);
@@ -85,73 +73,61 @@ impl Bed {
                     let t = if key[0] == v { span.from } else { span.to };
                     Attachment::Arc { arc: span.arc, t: network.arcs[span.arc].normalise(t) }
                 }
-                Attachment::Sheet(_) => Attachment::Sheet(map.sheet_of_face[coarse_topology.fan(v).next().unwrap().face()]),
+                Attachment::Sheet(_) => Attachment::Sheet(map.sheet_of_face[domain.topology.fan(v).next().unwrap().face()]),
             };
         }
-        let fine = subdiv::subdivide(coarse, &map, levels).unwrap();
-        let mut bed = Self {
-            topology: Topology::new(fine.mesh.faces(), fine.mesh.n_vertices()).unwrap(),
-            domain: fine.mesh,
-            map: fine.region,
-            mesh,
-            mesh_topology,
-            network,
-            normals,
-        };
-        bed.project(&index);
-        bed
+        let finest = subdiv::subdivide(&domain, levels).unwrap().domain;
+        Self { domain: projected(&surface, &finest), surface }
     }
 
-    fn project(&mut self, index: &SurfaceIndex) {
-        for v in self.map.vertices() {
-            self.map.points[v] = match self.map.attachments[v] {
-                Attachment::Corner(c) => {
-                    let h = self.mesh_topology.fan(self.network.corners[c]).next().unwrap();
-                    SurfacePoint::at_corner(h.face(), h.corner())
-                }
-                Attachment::Arc { arc, t } => self.network.arcs[arc].point(&self.mesh_topology, t),
-                Attachment::Sheet(sheet) => {
-                    let inside = |f: FaceId| self.network.sheet_of_face[f] == sheet;
-                    index.closest_where(self.domain.position(v), inside).unwrap().point()
-                }
-            };
-        }
-        let positions = self.map.points.iter().map(|p| p.position(&self.mesh)).collect();
-        self.domain = self.domain.with_positions(positions).unwrap();
-    }
-
-    pub fn try_fit(&self, options: &FitOptions) -> Result<Fitted, FitError> {
-        let Self { mesh, mesh_topology, network, normals, .. } = self;
-        let surface = Surface { mesh, topology: mesh_topology, network, normals };
-        fit(&surface, &self.domain, &self.topology, &self.map, options)
+    pub fn fit(&self, options: &FitOptions) -> Fitted {
+        self.fit_holding(&[], options)
     }
 
     /// Fits and checks what always holds.
-    pub fn fit(&self, options: &FitOptions) -> Fitted {
-        let fitted = self.try_fit(options).unwrap();
-        fitted.map.check(&self.topology, &self.network).unwrap();
-        let index = [SurfaceIndex::new(&self.mesh), SurfaceIndex::new(&self.domain), SurfaceIndex::new(&fitted.mesh)];
+    pub fn fit_holding(&self, still: &[FaceId], options: &FitOptions) -> Fitted {
+        let Self { surface, domain } = self;
+        let fitted = fit_holding(surface, domain, still, options).unwrap();
+        fitted.domain.check(surface.network()).unwrap();
+        let (input, start, end) = (surface.mesh(), &domain.mesh, &fitted.domain.mesh);
+        let index = [input, start, end].map(SurfaceIndex::new);
         let greatest = |points: &TriMesh, to: usize| {
             let middles = points.faces().ids().map(|f| points.centroid(f));
             let points = points.positions().iter().copied().chain(middles);
             points.map(|p| index[to].closest(p).unwrap().distance).fold(0.0, f64::max)
         };
-        let (before, after) =
-            (greatest(&self.domain, 0).max(greatest(&self.mesh, 1)), greatest(&fitted.mesh, 0).max(greatest(&self.mesh, 2)));
+        let (before, after) = (greatest(start, 0).max(greatest(input, 1)), greatest(end, 0).max(greatest(input, 2)));
         assert!(after <= 1.02 * before + 1e-12, "the greatest distance grows from {before} to {after}");
         assert!(fitted.report.end.max <= fitted.report.start.max);
-        for (v, point) in fitted.map.points.enumerate() {
-            let position = point.position(&self.mesh) + fitted.offsets[v] * self.normals.at(*point);
-            match self.map.attachments[v] {
-                Attachment::Sheet(_) => assert!(position.distance(fitted.mesh.position(v)) < 1e-12, "{v}"),
-                _ => assert!(fitted.offsets[v] == 0.0 && fitted.mesh.position(v) == self.domain.position(v), "{v}"),
+        for (v, point) in fitted.domain.region.points.enumerate() {
+            let position = point.position(input) + fitted.offsets[v] * surface.normals().at(*point);
+            match domain.region.attachments[v] {
+                Attachment::Sheet(_) => assert!(position.distance(end.position(v)) < 1e-12, "{v}"),
+                _ => assert!(fitted.offsets[v] == 0.0 && end.position(v) == start.position(v), "{v}"),
             }
         }
-        for f in self.domain.faces().ids() {
-            assert!(self.domain.normal(f).dot(fitted.mesh.normal(f)) > 0.0, "face {f} turns over");
+        for f in start.faces().ids() {
+            assert!(start.normal(f).dot(end.normal(f)) > 0.0, "face {f} turns over");
         }
         fitted
     }
+}
+
+/// The domain with every vertex at its corner, at its place on its arc, or at the nearest point of its sheet.
+fn projected(surface: &Surface, domain: &Domain) -> Domain {
+    let (topology, network) = (surface.topology(), surface.network());
+    let mut region = domain.region.clone();
+    for v in region.vertices() {
+        region.points[v] = match region.attachments[v] {
+            Attachment::Corner(c) => {
+                let h = topology.fan(network.corners[c]).next().unwrap();
+                SurfacePoint::at_corner(h.face(), h.corner())
+            }
+            Attachment::Arc { arc, t } => network.arcs[arc].point(topology, t),
+            Attachment::Sheet(sheet) => surface.sheet_index(sheet).unwrap().closest(domain.mesh.position(v)).unwrap().point(),
+        };
+    }
+    domain.placed(surface, region).unwrap()
 }
 
 fn nearest_arc(mesh: &TriMesh, network: &Network, p: DVec3) -> ArcId {
@@ -209,11 +185,9 @@ pub fn with_noise(mesh: &TriMesh, size: f64) -> TriMesh {
 
 /// All bytes of a result that matter.
 pub fn bytes(fitted: &Fitted) -> Vec<u64> {
-    let points = fitted
-        .map
-        .points
-        .iter()
-        .flat_map(|p| [p.face.index() as u64].into_iter().chain(p.barycentric.to_array().map(f64::to_bits)));
-    let positions = fitted.mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits));
+    let Domain { mesh, region, .. } = &fitted.domain;
+    let bits = |p: &SurfacePoint| [p.face.index() as u64].into_iter().chain(p.barycentric.to_array().map(f64::to_bits));
+    let points = region.points.iter().flat_map(bits);
+    let positions = mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits));
     points.chain(positions).chain(fitted.offsets.iter().map(|h| h.to_bits())).collect()
 }
