@@ -1,5 +1,6 @@
 //! Networks, cells and maps on shapes with known answers.
 
+mod arguments;
 mod base_map;
 mod cells;
 mod check;

@@ -81,7 +81,7 @@ fn parts_of_different_meshes_are_refused() {
 }
 
 /// What spoils a network.
-type Change = dyn Fn(&mut Network);
+type Change<'a> = dyn Fn(&mut Network) + 'a;
 
 #[test]
 fn what_contradicts_itself_is_refused() {
