@@ -20,8 +20,8 @@ struct Entry {
     level: Option<u32>,
 }
 
-/// Levels of a model without an entry: the program's default.
-const LEVELS: u32 = 3;
+/// Levels of a model without an entry: the default of `semireg`.
+pub(crate) const LEVELS: u32 = 2;
 
 impl Spec {
     /// Reads a file; without one the spec of the workspace, with the paper's base sizes.

@@ -1,5 +1,6 @@
 //! One run of the binary, and what came of it.
 
+use crate::models::LEVELS;
 use crate::process::{cargo, must, target_directory, within};
 use anyhow::{Context, Result};
 use serde_json::Value;
@@ -31,7 +32,7 @@ pub(crate) struct Request<'a> {
 impl<'a> Request<'a> {
     /// With the program's defaults.
     pub(crate) fn of(input: &'a Path) -> Self {
-        Self { input, base_vertices: None, levels: 3, threads: None, base: None, fit: true }
+        Self { input, base_vertices: None, levels: LEVELS, threads: None, base: None, fit: true }
     }
 }
 
