@@ -12,7 +12,8 @@ use relax::parts::Whole;
 ///
 /// `domain` is the base mesh subdivided once and relaxed. `carry_out` does each edit that is chosen in the base mesh itself;
 /// where it cannot and returns false, the edit is not done. Vertices are taken away only where the sizing field, one length for
-/// each vertex of the working mesh, does not ask for shorter edges. The energy never grows.
+/// each vertex of the working mesh, does not ask for shorter edges. A removal comes just
+/// before the split that makes up for it. The energy never grows, but where `carry_out` does a removal and refuses its split.
 ///
 /// Fails when the domain does not fit the surface or was not subdivided once, when the sizing field is of another mesh, and for
 /// an option out of its range.

@@ -71,7 +71,8 @@ proptest! {
         });
         if let Ok(found) = found {
             prop_assert_eq!(found.edits.len(), edits / refuse);
-            prop_assert!(found.energy_at_end <= found.energy_at_start || found.edits.is_empty());
+            // A removal may have been carried out, and the split refused that was to make up for it.
+            prop_assert!(refuse > 1 || found.energy_at_end <= found.energy_at_start);
         } else if kind > 2 && options.check().is_ok() && one_short > 0 && length > 0.0 && length.is_finite() {
             prop_assert!(levels == 0, "all is right");
         }

@@ -115,7 +115,7 @@ fn domain(surface: &Surface, fault: Fault) -> Domain {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
     fn no_arguments_panic(
