@@ -124,13 +124,6 @@ fn a_base_mesh_is_as_large_as_its_corners_and_arcs_need_and_says_why() {
     assert_eq!((enough.asked, enough.needed, enough.made, enough.reason.as_str()), (60, 8, 60, ""));
 }
 
-/// Far too few base vertices for a tap: some triangles stay folded, and come free where they are.
-#[test]
-fn the_last_folds_are_mended_in_their_places() {
-    let Remeshed { report, .. } = check("tap", &fixtures::tap(20), 20, 3);
-    assert!(report.warnings.iter().all(|w| !w.contains("tried and failed")), "{:?}", report.warnings);
-}
-
 #[test]
 fn a_result_that_would_be_too_large_is_refused() {
     let error = remesh(&fixtures::cube(4).to_soup(), &options(500, 8)).unwrap_err();

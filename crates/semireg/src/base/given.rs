@@ -1,6 +1,7 @@
 //! A base mesh from elsewhere in the place of our own.
 
-use super::stages::{Base, BaseCounts, BaseStages, Way};
+use super::stages::{Base, BaseCounts, BaseStages};
+use super::way::Way;
 use crate::input::{GivenBase, Input};
 use crate::run::Run;
 use crate::{Error, Options};

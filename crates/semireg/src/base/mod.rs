@@ -8,8 +8,10 @@ mod rating;
 mod search;
 mod setting;
 mod stages;
+mod way;
 
 pub(crate) use candidates::candidates;
 pub use patches::Patches;
 pub(crate) use setting::Setting;
-pub use stages::{Base, BaseCounts, BaseStages, CellCounts, Way};
+pub use stages::{Base, BaseCounts, BaseStages, CellCounts};
+pub use way::Way;

@@ -1,6 +1,7 @@
 //! What the stages up to the base mesh made.
 
 use super::patches::Patches;
+use super::way::Way;
 use mesh_core::{Cleaned, TriMesh};
 use region_map::{BaseMesh, CreaseLengths, Domain, Surface};
 use std::sync::Arc;
@@ -23,28 +24,6 @@ pub struct BaseStages {
     pub counts: BaseCounts,
     /// What did not go as usual.
     pub warnings: Vec<String>,
-}
-
-/// Where a base mesh comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// Sites of patches, triangulated in charts (paper, section 3).
-    Patches,
-    /// The working mesh, decimated.
-    Decimation,
-    /// The options.
-    Given,
-}
-
-impl Way {
-    /// Its name in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Patches => "patches",
-            Self::Decimation => "decimation",
-            Self::Given => "given",
-        }
-    }
 }
 
 /// A base mesh over the surface.

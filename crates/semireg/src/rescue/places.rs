@@ -29,8 +29,9 @@ const IN_TURN: [Remedy; 6] = [
 const REACH_OF_BISECTION: f64 = 1.0;
 /// Where a greater share of the triangles is faulty the base mesh is wrong, not a few of its faces.
 const MOST_FAULTY: f64 = 2e-3;
-/// The base mesh grows by this share at most, and by [`LEAST_GROWTH`] vertices if that is more.
+/// The base mesh grows by this share at most: more would be another base mesh than the one asked for.
 const MOST_GROWTH: f64 = 0.03;
+/// Or by so many vertices, if that is more.
 const LEAST_GROWTH: usize = 8;
 
 /// Mends the places of a candidate that the certificate would refuse. Vertices far from them stay where they are. The candidate comes back as

@@ -19,8 +19,9 @@ pub(crate) const PLAN: [(Remedy, Setting); 5] = [
 /// A result that misses the input by more than this share of a base edge somewhere has lost a part of it. Measured at level 3: good results
 /// miss by .01 (fandisk) to .16 (casting); a camel without one fold of its mouth by .5.
 const LOST: f64 = 0.25;
-/// The level at which that was measured. At a coarser one the chord of a longer edge misses more: half of what its edges are longer.
+/// The level at which that was measured.
 const MEASURED_LEVEL: u32 = 3;
+/// At a coarser level the chord of a longer edge misses more: by this share of what its edges are longer. More hides lost parts there.
 const CHORD: f64 = 0.5;
 /// What is smaller than this share of the diagonal is no part. Measured: crank_cse with 1,500 base vertices misses a rim by .008.
 const LEAST_LOST: f64 = 0.01;

@@ -1,0 +1,92 @@
+//! What is tried on the way to a result, what is told of it, and how a caller follows and ends a run.
+
+use mesh_core::TriMesh;
+use semireg::{Error, Options, Progress, Remedy, Remeshed, Verdict, Way, remesh, remesh_with};
+use std::ops::ControlFlow;
+
+fn options(base_vertices: usize, levels: u32) -> Options {
+    Options { base_vertices: Some(base_vertices), levels, ..Options::default() }
+}
+
+/// Far too few base vertices for a tap: some triangles stay folded, and come free where they are.
+fn rescued() -> Remeshed {
+    remesh(&fixtures::tap(20).to_soup(), &options(20, 3)).unwrap()
+}
+
+fn bits(mesh: &TriMesh) -> Vec<u64> {
+    mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits)).collect()
+}
+
+#[test]
+fn the_last_folds_are_mended_in_their_places() {
+    let Remeshed { report, .. } = rescued();
+    let in_places = report.attempts.iter().filter(|a| matches!(a.remedy, Remedy::RelaxPlaces(_) | Remedy::BisectBase(_)));
+    let verdicts: Vec<_> = in_places.map(|a| a.verdict.clone()).collect();
+    // Without one fold this test would say nothing.
+    assert!(verdicts.contains(&Verdict::Faulty { faults: 0, triangles: 1 }), "{verdicts:?}");
+    // The same base mesh went through to the end.
+    let bases: Vec<_> = report.attempts.iter().filter(|a| a.remedy.makes_a_base()).collect();
+    assert!(matches!(bases[..], [only] if only.remedy == Remedy::AsAsked && only.verdict.is_certified()), "{bases:?}");
+}
+
+#[test]
+fn a_rescue_gives_the_same_bits_on_any_number_of_threads() {
+    let on = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(rescued);
+    let (one, two) = (on(1), on(2));
+    assert_eq!(one.mesh.faces(), two.mesh.faces());
+    assert!(bits(&one.mesh) == bits(&two.mesh));
+    let told = |r: &Remeshed| r.report.attempts.iter().map(|a| format!("{} {}", a.remedy, a.verdict)).collect::<Vec<_>>();
+    assert_eq!(told(&one), told(&two));
+}
+
+#[test]
+fn a_base_mesh_from_elsewhere_keeps_its_order() {
+    let soup = fixtures::l_block(3).to_soup();
+    let first = remesh(&soup, &options(80, 1)).unwrap();
+    let base = first.stages.base.base.mesh();
+    let on_it = Options { base_mesh: Some(base.to_soup()), levels: 2, ..Options::default() };
+    let Remeshed { report, stages, .. } = remesh(&soup, &on_it).unwrap();
+    assert_eq!((report.way, report.base.made), (Way::Given, base.n_vertices()));
+    assert_eq!(stages.base.base.mesh().faces(), base.faces());
+    assert_eq!(report.attempts.iter().filter(|a| a.remedy.makes_a_base()).count(), 1);
+    assert_eq!(first.report.attempts.last().and_then(|a| a.way), Some(first.report.way));
+}
+
+#[test]
+fn stages_add_up_to_the_whole_run() {
+    let start = std::time::Instant::now();
+    let seconds = remesh(&fixtures::cube(4).to_soup(), &options(60, 2)).unwrap().report.seconds;
+    let (whole, sum) = (start.elapsed().as_secs_f64(), seconds.total());
+    assert!(sum > 0.0 && sum <= whole, "{sum} of {whole}");
+    let stages: Vec<_> = seconds.0.iter().map(|s| s.stage).collect();
+    for stage in ["clean", "features", "decimate", "search", "relax", "certify", "other"] {
+        assert!(stages.contains(&stage), "{stages:?}");
+    }
+}
+
+#[test]
+fn a_caller_hears_of_the_stages_and_gets_the_same_result() {
+    let soup = fixtures::cube(4).to_soup();
+    let mut heard: Vec<Progress> = Vec::new();
+    let listen = &mut |progress| {
+        heard.push(progress);
+        ControlFlow::Continue(())
+    };
+    let followed = remesh_with(&soup, &options(60, 1), listen).unwrap();
+    let alone = remesh(&soup, &options(60, 1)).unwrap();
+    assert!(bits(&followed.mesh) == bits(&alone.mesh));
+    assert!(heard.windows(2).all(|pair| pair[0].share <= pair[1].share), "{heard:?}");
+    for stage in ["clean", "search", "certify"] {
+        assert!(heard.iter().any(|p| p.stage == stage), "{stage} in {heard:?}");
+    }
+}
+
+#[test]
+fn a_run_is_ended_in_any_stage() {
+    let soup = fixtures::part(5).to_soup();
+    for stage in ["clean", "sizing", "segment", "base", "search", "project", "relax", "fit", "certify"] {
+        let at = &mut |p: Progress| if p.stage == stage { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+        let error = remesh_with(&soup, &options(150, 2), at).unwrap_err();
+        assert!(matches!(error, Error::Cancelled), "{stage}: {error}");
+    }
+}
