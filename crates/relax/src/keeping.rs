@@ -104,19 +104,37 @@ impl Lost<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::relax::relax;
+
+    /// A vertex of the sphere below, and the sphere with it drawn out to a thorn.
+    const TIP: VertexId = VertexId(17);
+
+    fn thorn() -> TriMesh {
+        let sphere = fixtures::icosphere(6);
+        let position = |(v, &p)| if v == TIP { 1.5 * p } else { p };
+        sphere.with_positions(sphere.positions().enumerate().map(position).collect()).unwrap()
+    }
 
     /// A sphere with a thorn: the vertex at its tip is what a sphere without one has lost.
     #[test]
     fn the_tip_of_a_thorn_is_an_anchor() {
-        let sphere = fixtures::icosphere(6);
-        let tip = VertexId(17);
-        let position = |(v, &p)| if v == tip { 1.5 * p } else { p };
-        let input = sphere.with_positions(sphere.positions().enumerate().map(position).collect()).unwrap();
+        let (sphere, input) = (fixtures::icosphere(6), thorn());
         let start = Domain::identity(&Surface::smooth(input.clone()).unwrap());
         let lost = Lost { input: &input, start: &start, distance: 0.1 };
-        assert_eq!(lost.anchors(&sphere), [tip]);
+        assert_eq!(lost.anchors(&sphere), [TIP]);
         assert_eq!(lost.anchors(&input), []);
         let far = Lost { distance: 0.6, ..lost };
         assert_eq!(far.anchors(&sphere), []);
+    }
+
+    /// Relaxed, the thorn loses its tip; relaxed with what it would lose held, it doesn't.
+    #[test]
+    fn the_tip_of_a_thorn_is_kept() {
+        let input = thorn();
+        let surface = Surface::smooth(input.clone()).unwrap();
+        let (start, options) = (Domain::identity(&surface), RelaxOptions::default());
+        let missed = |relaxed: Relaxed| SurfaceIndex::new(&relaxed.domain.mesh).closest(input.position(TIP)).unwrap().distance;
+        assert!(missed(relax(&surface, &start, &options).unwrap()) > 0.1);
+        assert!(missed(relax_keeping(&surface, &start, &input, 1.0, &options).unwrap()) < 1e-9);
     }
 }
