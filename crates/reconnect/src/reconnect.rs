@@ -28,7 +28,7 @@ pub fn reconnect(
     check_sizing(sizing, surface.mesh())?;
     let whole = Whole::new(surface, domain)?;
     let base = EditableBase::new(&whole, domain, &options.shape)?;
-    let mut search = Search::new(base, sizing, options, carry_out);
+    let mut search = Search::new(base, sizing, options, surface.interrupt().clone(), carry_out);
     let mut near = search.base.edges();
     while !near.is_empty() && !search.is_exhausted() {
         search.flip_all(near);

@@ -6,7 +6,7 @@ use crate::flip::flip;
 use crate::region::relaxed;
 use crate::trial::{Site, Trial};
 use crate::{ReconnectOptions, Reconnected};
-use mesh_core::{Id as _, VertexId};
+use mesh_core::{Id as _, Interrupt, VertexId};
 use rayon::prelude::*;
 use region_map::{BaseEdit, Sizing};
 use relax::ShapeOptions;
@@ -32,6 +32,8 @@ pub(crate) struct Search<'a, F> {
     pub(crate) found: Reconnected,
     /// Tries at most.
     most_tries: usize,
+    /// Ends the search early.
+    interrupt: Interrupt,
     /// Numbers of vertices that were put in, as the edits have them.
     numbers: FxHashMap<VertexId, VertexId>,
     n_numbers: usize,
@@ -45,7 +47,13 @@ pub(crate) struct Search<'a, F> {
 }
 
 impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
-    pub(crate) fn new(base: EditableBase<'a>, sizing: &'a Sizing, options: &'a ReconnectOptions, carry_out_edit: F) -> Self {
+    pub(crate) fn new(
+        base: EditableBase<'a>,
+        sizing: &'a Sizing,
+        options: &'a ReconnectOptions,
+        interrupt: Interrupt,
+        carry_out_edit: F,
+    ) -> Self {
         let energy = base.costs.iter().sum();
         let found = Reconnected { energy_at_start: energy, energy_at_end: energy, ..Default::default() };
         Self {
@@ -59,14 +67,15 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
             base,
             sizing,
             options,
+            interrupt,
             carry_out_edit,
             found,
         }
     }
 
-    /// Are all tries used up?
+    /// Are all tries used up, or shall the search end?
     pub(crate) fn is_exhausted(&self) -> bool {
-        self.found.tries >= self.most_tries
+        self.found.tries >= self.most_tries || self.interrupt.is_set()
     }
 
     /// Tries flips of some edges, then of those near what was flipped, until none gains.

@@ -55,7 +55,7 @@ impl<'a> Mender<'a> {
         let sight = Sight { domain: self.domain, index: surface.index(), diagonal: surface.mesh().diagonal() };
         let mut folds = sight.folds(placement, faces);
         for _ in 0..ROUNDS {
-            if folds.is_empty() || folds.len() as f64 > self.most {
+            if folds.is_empty() || folds.len() as f64 > self.most || self.domain.is_interrupted() {
                 return;
             }
             let moved: Vec<VertexId> = self.domain.around(&folds).into_iter().filter(|&v| sight.improve(placement, v)).collect();

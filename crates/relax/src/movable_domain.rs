@@ -57,6 +57,11 @@ impl<'a> MovableDomain<'a> {
         Ok(())
     }
 
+    /// Whether the work on this domain shall end: its caller then throws away what there is.
+    pub(crate) fn is_interrupted(&self) -> bool {
+        self.surface.interrupt().is_set()
+    }
+
     /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of
     /// the arcs. `normals` gives both sides at a vertex.
     pub(crate) fn reference_normal(&self, f: FaceId, normals: impl Fn(VertexId) -> [DVec3; 2]) -> DVec3 {

@@ -23,6 +23,9 @@ pub(crate) fn relax_quadric(domain: &MovableDomain, start: Placement, options: &
     let (mut best, mut best_quality) = (start.clone(), Quality::of(&start, domain));
     let (mut now, mut idle, mut iterations) = (start, 0, 0);
     while iterations < options.iterations && idle < MOST_IDLE && best_quality.ar_mean < options.target_quality {
+        if domain.is_interrupted() {
+            break;
+        }
         let mut next = now.displaced(domain, |v| quadric_step(domain, &now, &weights, options.plane_weight, v));
         next.hold_upright(domain, &now);
         now = next;

@@ -127,6 +127,9 @@ impl<'a> Optimiser<'a> {
         let scales = local_areas(self.domain, &self.placement);
         let (mut steps, mut upright_steps, mut idle) = (0, 0, 0);
         while steps < options.untangling_steps && upright_steps < SOUNDING_STEPS && idle < MOST_IDLE {
+            if self.domain.is_interrupted() {
+                break;
+            }
             let areas = self.signed_areas();
             let worst = areas.iter().zip(&scales).map(|(area, scale)| area / scale).fold(f64::INFINITY, f64::min);
             if worst >= SOUND_AREA {
@@ -155,6 +158,9 @@ impl<'a> Optimiser<'a> {
         let least = (1.0 + self.metric.size_weight) * self.domain.topology.n_faces() as f64;
         let (mut small_gains, mut energies) = (0, self.energies(&self.placement));
         for steps in 0..options.steps {
+            if self.domain.is_interrupted() {
+                return steps;
+            }
             let Some(step) = self.step(true, &energies) else { return steps };
             (self.placement, energies) = (step.placement, step.energies);
             let is_small = step.before - step.after < options.tolerance * (step.before - least);
