@@ -1,4 +1,4 @@
-//! The other way to a base mesh: the working mesh itself, coarsened in its map.
+//! The other way to a base mesh: the working mesh itself, coarsened.
 
 use crate::arguments::check_wishes;
 use crate::improve::improved;

@@ -1,4 +1,4 @@
-//! Better connectivity for the base mesh, by edits that the base map records.
+//! Better connectivity for a base mesh, by edits that its map records.
 //!
 //! Isotropic remeshing (Botsch and Kobbelt, *A remeshing approach to multiresolution modeling*, 2004) in the map: split long edges,
 //! collapse short ones, flip, move vertices to the middle of their neighbours. What the patches of the segmentation left in the base
@@ -27,7 +27,7 @@ const LONG: f64 = 4.0 / 3.0;
 const SHORT: f64 = 4.0 / 5.0;
 /// Edges get longer by at most this factor from one round of collapses to the next.
 const COARSENING: f64 = 1.2;
-/// From this share of the wanted length on vertices are moved, too, before the next round of collapses.
+/// Once edges have this share of the wanted length, each round of collapses is followed by moves of the vertices; before, by flips alone.
 const NEAR: f64 = 0.8;
 /// Quality (AR) that a collapse must leave, unless it was worse before.
 const LEAST_QUALITY: f64 = 0.25;
@@ -38,13 +38,15 @@ const MOST_FOLDED: f64 = 0.1;
 const FOLD_WORTH: usize = 10;
 /// Where corners and arcs need more vertices than asked, the other edges get longer by at most this factor to make up for it.
 const MOST_STRETCHED: f64 = 1.6;
+/// The wanted length is adapted to the count by at most this factor from one round to the next, or it would swing.
+const MOST_ADAPTED: f64 = 1.25;
 /// Splitting stops at so many vertices, or at [`SPLIT_TIMES`] those wanted: where a sizing field asks for edges that are far too short,
 /// each round would make four times the faces of the one before. No mesh that was measured comes near to it.
 const MOST_SPLIT: usize = 10_000;
 /// See [`MOST_SPLIT`].
 const SPLIT_TIMES: usize = 30;
-/// A pass that closes less than this share of the gap to the wanted number of vertices is the last: corners and arcs don't allow
-/// more.
+/// When a pass of splits or collapses closes less than this share of the gap to the wanted number of vertices, it is the last: corners
+/// and arcs don't allow more.
 const LEAST_PROGRESS: f64 = 0.05;
 
 /// A first base mesh with better connectivity, and with the number of vertices that is asked for, as far as that can be.
@@ -114,8 +116,8 @@ fn best_of_rounds(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOption
         settle(editor);
         collapse_folded(editor);
         let ratio = editor.n_vertices() as f64 / options.base_vertices as f64;
-        length = (length * ratio.sqrt().clamp(0.8, 1.25)).min(longest_wanted);
-        // Where the wanted edges are too long for the shape, folds breed folds: then what was before is better.
+        length = (length * ratio.sqrt().clamp(1.0 / MOST_ADAPTED, MOST_ADAPTED)).min(longest_wanted);
+        // Where the wanted edges are too long for the shape, each round folds more faces: then an earlier round is better.
         let folded = n_folded(editor);
         let cost = FOLD_WORTH * folded + editor.n_vertices().abs_diff(options.base_vertices);
         if best.as_ref().is_none_or(|(least, _)| cost <= *least) {

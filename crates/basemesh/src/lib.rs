@@ -1,5 +1,8 @@
-//! The base mesh: every patch charted onto a convex polygon, its sites joined by a constrained Delaunay triangulation there, all
-//! patches joined to one simplicial mesh with a bijective map to the input (paper, section 3.2), and its connectivity improved.
+//! The base mesh: a coarse simplicial mesh over a surface, with a bijection to it (paper, section 3.2).
+//!
+//! [`build`] charts every patch of a segmentation onto a convex polygon, joins its sites by a constrained Delaunay triangulation there,
+//! and joins all patches. [`decimate`] begins with the surface itself. Both then improve the connectivity by the same edits, which the
+//! map records. [`bisect`], [`mend`] and [`Replay`] edit a base mesh that is there.
 //!
 //! ```
 //! use basemesh::{BaseOptions, decimate};

@@ -24,7 +24,8 @@ const LEAST_COTANGENT: f64 = 0.05;
 const GREATEST_COTANGENT: f64 = 20.0;
 /// Triangles without area must not spoil the harmonic system, either.
 const GREATEST_HARMONIC: f64 = 1e4;
-/// Relative residual that the iteration goes down to.
+/// The iteration stops when the residual has fallen to this share of the first one: near to the last bits of a double, because the map
+/// must not fold.
 const RESIDUAL: f64 = 1e-14;
 
 /// Lays pieces flat, with the vertices that `fixed` gives a place (the border, on a strictly convex polygon) held there.

@@ -14,6 +14,15 @@ const LEAST_TURN: f64 = 0.15;
 const GREATEST_TURN: f64 = 0.8 * PI;
 /// Least length of a side, as a share of the mean one: shorter sides would make slivers in the chart.
 const LEAST_SIDE: f64 = 0.1;
+/// Least length of a side of a polygon on a circle, as a share of the mean one.
+const LEAST_INSCRIBED: f64 = 0.25;
+/// Where the patch's own angles don't give a polygon, they are mixed with those of a regular one: so much is the share of its own, in
+/// the order in which they are tried.
+const OWN_SHARES: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
+/// Closing the polygon may change a side by factors in this range.
+const CLOSING: std::ops::Range<f64> = 0.3..4.0;
+/// Least sine of the turn at a corner: less could be lost to rounding.
+const LEAST_SINE: f64 = 1e-6;
 
 /// A strictly convex polygon, counter-clockwise around the origin and of perimeter 2 pi, whose side `k` runs from corner `k` to the
 /// next. `sides` are the lengths wanted, `turns` the exterior angles (negative where the patch is concave).
@@ -23,8 +32,7 @@ pub(crate) fn convex_polygon(sides: &[f64], turns: &[f64]) -> Vec<DVec2> {
     let sides: Vec<f64> = sides.iter().map(|s| s.max(LEAST_SIDE * mean) * TAU / (mean * n as f64)).collect();
     let even = TAU / n as f64;
     let own = convex_turns(turns);
-    // Where the patch's own angles don't close with positive sides, come nearer to a circle.
-    for share in [1.0, 0.75, 0.5, 0.25] {
+    for share in OWN_SHARES {
         let blend: Vec<f64> = own.iter().map(|t| share * t + (1.0 - share) * even).collect();
         if let Some(polygon) = closed(&sides, &blend)
             && is_strictly_convex(&polygon)
@@ -69,7 +77,7 @@ fn closed(sides: &[f64], turns: &[f64]) -> Option<Vec<DVec2>> {
     for (s, d) in sides.iter().zip(&directions) {
         corners.push(at);
         let factor = 1.0 + x.dot(*d);
-        if !(0.3..4.0).contains(&factor) {
+        if !CLOSING.contains(&factor) {
             return None;
         }
         at += s * factor * d;
@@ -80,7 +88,7 @@ fn closed(sides: &[f64], turns: &[f64]) -> Option<Vec<DVec2>> {
 
 /// Corners on the unit circle at steps that follow the lengths.
 fn inscribed(sides: &[f64]) -> Vec<DVec2> {
-    let least = 0.25 * TAU / sides.len() as f64;
+    let least = LEAST_INSCRIBED * TAU / sides.len() as f64;
     let sides: Vec<f64> = sides.iter().map(|s| s.max(least)).collect();
     let total: f64 = sides.iter().sum();
     let mut angle = 0.0;
@@ -94,12 +102,12 @@ fn inscribed(sides: &[f64]) -> Vec<DVec2> {
         .collect()
 }
 
-/// Does every corner turn left by a margin that rounding can't eat?
+/// Does every corner turn left by more than rounding?
 fn is_strictly_convex(p: &[DVec2]) -> bool {
     let n = p.len();
     let turns = |i: usize| {
         orient2d(p[i], p[(i + 1) % n], p[(i + 2) % n])
-            > 1e-6 * p[i].distance(p[(i + 1) % n]) * p[(i + 1) % n].distance(p[(i + 2) % n])
+            > LEAST_SINE * p[i].distance(p[(i + 1) % n]) * p[(i + 1) % n].distance(p[(i + 2) % n])
     };
     (0..n).all(turns)
 }

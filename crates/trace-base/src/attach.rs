@@ -1,6 +1,6 @@
 //! Which base vertices sit at corners, and which base edges follow which arc.
 //!
-//! Arcs that no base edges follow are given up: what a base mesh does not have, its subdivision cannot keep. Borders are never.
+//! Arcs that no base edges follow are given up: what a base mesh does not have, its subdivision cannot keep. Borders are never given up.
 
 use crate::TraceError;
 use crate::follow::Followed;
@@ -83,12 +83,12 @@ impl Wanted {
             arc.halfedges.iter().for_each(|&h| self.kinds[topology.edge(h)] = None);
             self.minor.push(arc.vertices.clone());
         }
-        // A corner that has lost all its arcs is none.
+        // A corner that has lost all its arcs is no corner any more.
         for v in arcs.iter().flat_map(|&a| network.arcs[a].corners).flatten().map(|c| network.corners[c]) {
             let is_bare = topology.one_ring(v).all(|w| topology.find_edge(v, w).is_none_or(|e| self.kinds[e].is_none()));
             self.is_corner[v] &= !is_bare;
         }
-        // A border with a corner that is none of its crossings may still fit without it.
+        // Only borders are left that do not fit: they may fit without the corners on them.
         if arcs.is_empty() && !changed {
             for &a in &misfit.arcs {
                 for c in network.arcs[a].corners.into_iter().flatten() {

@@ -25,7 +25,7 @@ pub(crate) fn charts(mut cut: CutMesh, base: &TriMesh, paths: &Paths) -> Result<
     let chart = |(f, border, pieces): &(FaceId, Border, Vec<u32>)| border.chart(&cut, pieces).ok_or(Untraced::Chart(*f));
     let charts = regions.par_iter().map(chart).collect::<Result<Vec<Chart>, Untraced>>()?;
     let faces: Vec<(ChartId, [DVec2; 3])> = (0..charts.len()).map(|i| (ChartId::new(i), CORNERS)).collect();
-    // Every face has its chart.
+    // There is a chart for every face, so this cannot fail.
     BaseMap::new(IdVec::from_vec(charts), &faces).map_err(|_| Untraced::NotFinite)
 }
 
@@ -76,7 +76,7 @@ impl Border {
         (met == border.len() && met == n && vertices.len() + pieces.len() == edges + 1).then_some(pieces)
     }
 
-    /// The region on a triangle: its border by length along the sides, its inside by a convex combination map.
+    /// The region on a triangle: its border along the sides by length, its inside by a convex combination map.
     fn chart(&self, cut: &CutMesh, region: &[u32]) -> Option<Chart> {
         let mut local: FxHashMap<u32, u32> = FxHashMap::default();
         let mut positions: Vec<DVec3> = Vec::new();

@@ -20,7 +20,7 @@ pub(crate) struct CutMesh {
 
 /// A point this close to an edge or a vertex of its piece, as a share of the height over it, is put there.
 const TOUCH: f64 = 1e-3;
-/// A point too close to what it may not touch goes this share of the way to the middle of its piece.
+/// A point that is too close to a wall or a taken vertex is moved this share of the way to the middle of its piece.
 const INWARDS: f64 = 0.2;
 
 impl CutMesh {

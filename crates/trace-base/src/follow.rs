@@ -18,14 +18,14 @@ pub(crate) struct Followed<'a> {
     nearest_arc: IdVec<VertexId, f64>,
 }
 
-/// Of the cost of a base edge beside an arc this share is its length, the rest its distance from the arc in reaches.
+/// The cost of a base edge beside an arc: its length times this share and the mean square of its distance from the arc, in reaches.
 const LENGTH_SHARE: f64 = 0.02;
-/// What it costs to take a vertex that is nearer to another arc, for each reach that it is nearer. Arcs beside a narrow strip would
-/// take each other's vertices: with 0 the casting's own base mesh of 302 vertices loses three of its longest arcs.
+/// What it costs to take a vertex that is nearer to another arc, for each reach that it is nearer. Without it, arcs on both sides of a
+/// narrow strip take each other's vertices: the casting's own base mesh of 302 vertices loses three of its longest arcs.
 const STRAY_COST: f64 = 10.0;
-/// The middle of an edge that follows an arc may be this far off it, in reaches, squared: edges cut bends off.
+/// The middle of an edge that follows an arc may be two reaches away from it (this is the square): edges cut bends off.
 const FARTHEST_MIDDLE: f64 = 4.0;
-/// A site this close to a vertex of its arc, as a share of the arc's edge, is put there.
+/// A place on an arc that is this close to a vertex of the arc, as a share of the arc's edge there, is moved to the vertex.
 const AT_VERTEX: f64 = 1e-3;
 /// Base vertices on an arc are at least this share of their mean distance apart; where the nearest points are closer, or in another
 /// order, they are spread by the lengths of the base edges (of which QEM leaves some of no length).
@@ -42,7 +42,8 @@ impl<'a> Followed<'a> {
         Self { base, taken_vertex, taken_edge: IdVec::filled(false, base.topology.n_edges()), nearest_arc }
     }
 
-    /// The base vertices along an arc between the base vertices at its corners, taken from now on.
+    /// The base vertices along an arc between the base vertices at its corners: no other arc can have them from now on. `None` where no
+    /// base edges follow it.
     pub(crate) fn chain(
         &mut self,
         mesh: &TriMesh,
@@ -61,7 +62,7 @@ impl<'a> Followed<'a> {
         };
         let mut legs = vec![ends[0]];
         if ends[0].vertex == ends[1].vertex {
-            // Two more vertices, so that the way round is told.
+            // Both ends are one vertex: two more on the way tell in which direction the arc runs round.
             for share in [1.0, 2.0] {
                 let at = ends[0].t + share * length / 3.0;
                 let (vertex, t) = self.nearest(mesh, arc, [at - length / 9.0, at + length / 9.0], component)?;
@@ -80,7 +81,7 @@ impl<'a> Followed<'a> {
         Some(chain)
     }
 
-    /// The free base vertex nearest to a part of an arc, in its own reaches, and the arc length there.
+    /// The free base vertex nearest to a part of an arc, and the arc length there. Distances are compared over the reach of each vertex.
     fn nearest(&self, mesh: &TriMesh, arc: &Arc, [from, to]: [f64; 2], component: u32) -> Option<(VertexId, f64)> {
         let line = Polyline::of_arc(mesh, arc, from, to);
         let feet =

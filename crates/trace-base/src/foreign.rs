@@ -1,4 +1,4 @@
-//! The base mesh as it came, made comparable with the surface: which component lies on which, turned the right way.
+//! The base mesh as it came, and which of its components lies on which of the surface, turned to face the same way.
 
 use crate::TraceError;
 use glam::DVec3;
@@ -7,8 +7,8 @@ use region_map::Surface;
 
 /// At so many places the distance between two components is measured.
 const SAMPLES: usize = 50;
-/// A base vertex may be moved this far to a corner or an arc, as a share of the mean length of its edges. Bases that do not know
-/// the creases (ACVD) have the nearest vertex up to half an edge away.
+/// The reach of a base vertex: it may be moved this far to a corner or an arc, as a share of the mean length of its edges. Base meshes
+/// that were made without regard to creases (by ACVD) have the nearest vertex up to half an edge away.
 const REACH: f64 = 0.6;
 
 /// A base mesh in components that are those of the surface.

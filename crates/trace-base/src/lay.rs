@@ -7,7 +7,7 @@ use rustc_hash::FxHashSet;
 
 /// A path keeps this share of an edge away from its ends: later paths need room beside it.
 const MARGIN: f64 = 0.05;
-/// So often the points of a path are moved, all one after the other.
+/// Passes in which the points of a path are moved, one after the other, to make it shorter.
 const SWEEPS: usize = 20;
 
 /// A piece that a path runs through twice: it cannot be laid there.
@@ -49,7 +49,7 @@ pub(crate) fn lay(mesh: &mut CutMesh, path: &[Node], spacing: f64) -> Option<Vec
     Some(vertices)
 }
 
-/// How far along its edge, 0 to 1, every stop of a path goes that is as short as the edges allow; 0 for vertices.
+/// Where a path of the least length crosses each of its edges, 0 to 1 along the edge; 0 for vertices.
 fn straightened(mesh: &CutMesh, path: &[Node], spacing: f64) -> Vec<f64> {
     let edges: Vec<[DVec3; 2]> = path
         .iter()
@@ -74,7 +74,8 @@ fn straightened(mesh: &CutMesh, path: &[Node], spacing: f64) -> Vec<f64> {
     shares
 }
 
-/// Where the shortest way from `p` to `q` by way of an edge meets it: the triangles to both unfolded into one plane, a straight line.
+/// Where the shortest way from `p` to `q` across an edge meets the edge: it is a straight line when both triangles are unfolded into one
+/// plane.
 fn crossing([a, b]: [DVec3; 2], p: DVec3, q: DVec3) -> Option<f64> {
     let along = b - a;
     let foot = |x: DVec3| along.dot(x - a) / along.length_squared();

@@ -1,4 +1,4 @@
-//! The shortest way between two vertices over the free part of a cut mesh, near a straight line (A*).
+//! The shortest path between two vertices over the free part of a cut mesh, near to a given way (A*).
 
 use crate::cut_mesh::CutMesh;
 use glam::DVec3;
@@ -47,10 +47,10 @@ impl Way {
     }
 }
 
-/// What being off the way costs: at its length off, a step counts this much more. Where the way winds it is long, so a shorter one wins.
+/// A step costs its length, and so much more where it is as far off the way as the way is long; with the square of the distance. A way that
+/// winds is long, so that a shortcut costs little more there.
 const STRAIGHTNESS: f64 = 30.0;
-/// What every stop costs, in spacings: without it, and were a step to count more than at its lighter end, a path could zigzag through
-/// needles for nothing.
+/// What each step costs beside its length, in spacings: in needles steps have almost no length, and a path could zigzag there.
 const STOP: f64 = 1e-3;
 /// Most points on an edge.
 const MOST_STEPS: f64 = 7.0;
@@ -73,7 +73,7 @@ struct Search<'a> {
 struct Met {
     node: Node,
     at: DVec3,
-    /// How much a step counts here, 1 on the way.
+    /// What a step costs here for each unit of its length: 1 on the way.
     weight: f64,
     cost: f64,
     before: usize,

@@ -19,7 +19,7 @@ struct Run {
 
 /// Segments in a run.
 const RUN: usize = 16;
-/// A box this much nearer than what was found is looked into, as a share of the distance: more than the rounding of both.
+/// A box may hold something nearer, though it seems farther away by this share of the distance: more than the rounding of both.
 const ROUNDING: f64 = 1e-9;
 
 /// A point of a polyline.

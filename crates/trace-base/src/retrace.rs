@@ -1,4 +1,4 @@
-//! The other verb: a base mesh that hangs on a surface already gets a new map.
+//! The other verb: a base mesh that is one of the surface already gets a new map.
 
 use crate::Untraced;
 use crate::stops::Stop;
@@ -14,9 +14,9 @@ const SAMPLES: usize = 12;
 /// Gives a base mesh a new map: its edges traced as short paths that do not cross, near to where its present map has them, and a
 /// chart for every face.
 ///
-/// Edits make a map longer and rougher: each one lays a few faces flat, and what it distorts the next one distorts again. The new one
-/// has no edits, so its round trips are exact to rounding. Vertices, edges and faces stay what and where they are; a vertex inside a
-/// sheet and very near to a working vertex or edge is put there.
+/// Each edit of a base mesh lays a few faces flat, and the next one distorts what it has distorted. The new map has no edits, so its
+/// round trips are exact to rounding. Vertices, edges and faces stay what and where they are, but for a vertex inside a sheet that is
+/// very near to a working vertex or edge: it is put there.
 ///
 /// Fails where the base mesh does not fit the surface, where an edge is shut out by others, and where a face cannot be laid flat; the
 /// present map is still good then.
@@ -80,7 +80,7 @@ fn chains(network: &Network, region: &RegionMap) -> IdVec<ArcId, Vec<Stop>> {
     steps.iter_mut().map(chain).collect()
 }
 
-/// Where the present map has every edge that is on no arc.
+/// Points along every edge that is on no arc, where the present map has them.
 fn via(mesh: &TriMesh, base: &BaseMesh) -> IdVec<EdgeId, Vec<DVec3>> {
     let Domain { topology, region, .. } = &base.domain;
     let along = |e: EdgeId| {

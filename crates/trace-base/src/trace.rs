@@ -12,7 +12,7 @@ use std::sync::Arc as Shared;
 /// A base mesh from elsewhere, tied to a surface.
 #[derive(Clone, Debug)]
 pub struct Traced {
-    /// The surface with what of its network the base mesh follows. Creases that it does not are minor now.
+    /// The surface with those corners and arcs that the base mesh follows. The other creases are minor now.
     pub surface: Surface,
     /// The base mesh, its vertices on the surface, its faces in the order that they came in.
     pub base: TracedBase,

@@ -13,7 +13,7 @@ use region_map::{ArcId, Attachment, BaseMap, CornerId, RegionMap, Surface};
 
 /// Points on working edges, where paths may cross them, are this share of a mean base edge apart.
 const SPACING: f64 = 0.06;
-/// So many pieces are cut for one path that comes back to them. Where it winds among pieces larger than its turns it takes some.
+/// A path that runs through a piece twice cannot be laid: the piece is halved and the path looked for anew, so many times.
 const MOST_CUTS: usize = 50;
 /// So often the edges are traced in another order.
 const TRIES: usize = 12;
@@ -36,7 +36,8 @@ pub(crate) struct Tied<'a> {
 impl Tied<'_> {
     /// Traces all edges and charts the faces between them. Vertices inside sheets are moved to where the cut mesh has them.
     ///
-    /// Edges that were shut out, or bound no disk or one that cannot be laid flat, come first in the next try, if they did not in this.
+    /// Where an edge was shut out by others, or a face has no chart, its edges come first in the next try; it fails where they did so
+    /// already.
     pub(crate) fn map(&self, region: &mut RegionMap) -> Result<BaseMap, Untraced> {
         let mut first = Vec::new();
         for _ in 1..TRIES {
@@ -116,7 +117,7 @@ impl<'a> Tracer<'a> {
             let mut run = cut_at_stops(&mut cut, &network.arcs[a], chain).into_iter();
             for pair in chain.windows(2) {
                 let [v, w] = [pair[0].vertex, pair[1].vertex];
-                // Stops in one place are one vertex.
+                // Where two stops are in one place there is no path between them.
                 let path = run.next().ok_or(Untraced::Edge(v, w))?;
                 (vertices[v], vertices[w]) = (path.first().copied(), path.last().copied());
                 paths.keep(v, w, path);
@@ -137,8 +138,8 @@ impl<'a> Tracer<'a> {
         Ok(Self { tied, cut, vertices, paths, spacing: SPACING * mean })
     }
 
-    /// The edges still to trace: first those of a shortest spanning tree, with which the rest of a sphere is one disk and no edge can
-    /// be shut out; then the others. Short ones first, and those in `first` before all.
+    /// The edges still to trace, in order: those in `first`, then those of a shortest spanning tree, then the others, short ones first. On a
+    /// sphere, what is left beside a tree is one disk, so that no edge of the tree shuts another one out.
     fn order(&self, first: &[EdgeId]) -> Vec<EdgeId> {
         let topology = self.tied.topology;
         let mut parent: IdVec<VertexId, VertexId> = self.tied.base.positions().ids().collect();
@@ -184,7 +185,7 @@ impl<'a> Tracer<'a> {
         None
     }
 
-    /// The end at `v` of the edge to `w`: between the traced edges that are next to it round `v`, on either side.
+    /// The end at `v` of the path to `w`. It must leave `v` between the traced edges that come before and after it round `v`.
     fn end(&self, v: VertexId, w: VertexId) -> End {
         let vertex = self.vertices[v];
         let ring: Vec<VertexId> = self.tied.topology.one_ring(v).collect();

@@ -40,8 +40,8 @@ fn corrupted(mut base: BaseMesh, what: usize, at: usize, number: f64) -> BaseMes
         7 => _ = region.spans.pop_first(),
         8 => base.map_faces[f] = MapFaceId(at as u32),
         9 => base.domain.mesh = fixtures::cube(1),
-        10 => base.map = crate::base(&surface(at % 2 == 0)).map,
-        _ => base.domain.topology = crate::base(&surface(at % 2 == 0)).domain.topology,
+        10 => base.map = crate::base(&surface(at > 20)).map,
+        _ => base.domain.topology = crate::base(&surface(at > 20)).domain.topology,
     }
     base
 }

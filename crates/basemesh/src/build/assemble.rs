@@ -49,7 +49,7 @@ pub(crate) fn make_simplicial(
                 added.push((p, charts[p].locate(middle)));
             }
         }
-        // Two patches of one triangle each over the same three arcs: a pillow.
+        // Two patches of one triangle each, between the same three arcs, would be the same triangle twice.
         if let [only] = list[..] {
             let mut key = only.vertices;
             key.sort_unstable();

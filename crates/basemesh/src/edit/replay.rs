@@ -17,8 +17,8 @@ impl<'a> Replay<'a> {
         Ok(Self { editor: Editor::new(surface, base) })
     }
 
-    /// Carries an edit out. False, changing nothing, where it does not fit the mesh, would leave no simplicial one, or a face that turns its
-    /// back on the surface.
+    /// Carries an edit out. False, changing nothing, where the mesh has no such vertex or edge, where it would not be simplicial then, and
+    /// where a new face would face against the surface.
     pub fn edit(&mut self, edit: &BaseEdit) -> bool {
         let editor = &mut self.editor;
         match edit {
@@ -32,7 +32,7 @@ impl<'a> Replay<'a> {
         }
     }
 
-    /// The base mesh as it is now. Vertices keep their order; the numbers of those taken away are closed.
+    /// The base mesh as it is now. Vertices keep their order; those taken away leave no gap in the numbers.
     pub fn finish(self) -> Result<BaseMesh, BaseError> {
         self.editor.finish()
     }

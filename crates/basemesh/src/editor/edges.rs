@@ -40,7 +40,7 @@ impl Editor<'_> {
         };
         let m = self.add_vertex(attachment, point, sides.contains(&None));
         self.lengths.remove(&[a.min(b), a.max(b)]);
-        // Halving a triangle means the same in every layout of it.
+        // The middle of an edge is the same point in every layout, so any layout will do.
         let [pa, pb, pc] = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let pm = pa.midpoint(pb);
         let halved = |(f, c): (FaceId, VertexId), a: VertexId, b: VertexId| Edit {
@@ -67,7 +67,7 @@ impl Editor<'_> {
         let Face { sheet, map, .. } = self.face(id)?;
         let point = self.map.locate(map, DVec3::splat(1.0 / 3.0));
         let m = self.add_vertex(Attachment::Sheet(sheet), point, false);
-        // Cutting a triangle at its middle means the same in every layout of it.
+        // The middle of a triangle is the same point in every layout, so any layout will do.
         let flat = [DVec2::ZERO, DVec2::X, DVec2::Y];
         let middle = flat.iter().sum::<DVec2>() / 3.0;
         let part = |i: usize| ([face[i], face[(i + 1) % 3], m], [flat[i], flat[(i + 1) % 3], middle]);

@@ -12,14 +12,14 @@ use rustc_hash::FxHashMap;
 
 /// The direction of an arc at a vertex is that to the point this far along the edge.
 const NEAR_START: f64 = 0.1;
-/// A base mesh under change. Faces and vertices that are gone leave holes until [`Editor::finish`].
+/// A base mesh under edit. Faces and vertices that are gone leave gaps in the numbering until [`Editor::finish`].
 pub(crate) struct Editor<'a> {
     pub(super) surface: &'a Surface,
     pub(super) faces: IdVec<FaceId, Option<Face>>,
-    /// The samples in every face.
+    /// The samples of the working mesh in every face.
     pub(super) covered: IdVec<FaceId, Vec<Placed>>,
     pub(super) samples: Samples,
-    /// Surface lengths of edges; what the map makes of an edge stays the same as long as the edge is there.
+    /// Lengths of edges on the surface, as far as they were asked for. The map does not change where an edge is while it is there.
     pub(super) lengths: FxHashMap<[VertexId; 2], f64>,
     pub(super) star: IdVec<VertexId, Vec<FaceId>>,
     pub(super) on_border: IdVec<VertexId, bool>,
@@ -30,7 +30,7 @@ pub(crate) struct Editor<'a> {
 }
 
 impl<'a> Editor<'a> {
-    /// Takes a base mesh of the surface apart.
+    /// Begins with a base mesh of the surface.
     pub(crate) fn new(surface: &'a Surface, base: BaseMesh) -> Self {
         let BaseMesh { domain: Domain { mesh: base, topology, region }, map, map_faces } = base;
         let on_border = base.positions().ids().map(|v| topology.is_border_vertex(v)).collect();
@@ -191,7 +191,7 @@ impl<'a> Editor<'a> {
         Some(ring)
     }
 
-    /// The base mesh, without holes in the numbering; corners of the network first, then the rest in order.
+    /// The base mesh, without gaps in the numbering. Vertices and faces keep their order.
     pub(crate) fn finish(self) -> Result<BaseMesh, BaseError> {
         let mut number = IdVec::<VertexId, Option<VertexId>>::filled(None, self.star.len());
         let (mut attachments, mut points, mut positions) = (IdVec::new(), IdVec::new(), Vec::new());

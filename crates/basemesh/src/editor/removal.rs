@@ -23,12 +23,12 @@ pub(crate) enum Filling<'t> {
     Given(&'t [[VertexId; 3]]),
 }
 
-/// What taking a vertex away would leave to be filled.
+/// The one or two polygons that are left to be filled when a vertex is taken away.
 pub(crate) struct Hole {
     vertex: VertexId,
     /// One for a vertex in a sheet, on an arc one on each side of it.
     sides: Vec<Side>,
-    /// For a vertex on an arc its neighbours there, and the span between them then.
+    /// For a vertex on an arc: its neighbours on the arc, and the span of the edge that will join them.
     joined: Option<([VertexId; 2], ArcSpan)>,
     /// Least quality (AR) of the triangles there are now, negative with one that faces against the surface.
     pub(crate) quality: f64,
@@ -64,7 +64,7 @@ pub(crate) struct Removal<'h> {
 struct Filled {
     /// By places in the ring.
     triangles: Vec<[usize; 3]>,
-    /// The layout of the ring that the choice of the triangles hangs on.
+    /// The layout of the ring that the triangles were chosen in, if they were chosen in one.
     flat: Option<Vec<DVec2>>,
 }
 
@@ -104,8 +104,8 @@ impl Editor<'_> {
         Some(Removal { hole, fillings, quality, longest })
     }
 
-    /// Takes a vertex away. False, changing nothing, where no layout is unfolded before and after, and where the new triangles would turn
-    /// their backs on the surface.
+    /// Takes a vertex away. False, changing nothing, where every layout is folded before or after, and where a new triangle would face
+    /// against the surface.
     pub(crate) fn take_away(&mut self, removal: &Removal<'_>) -> bool {
         let v = removal.hole.vertex;
         let edit = |(side, Filled { triangles, flat }): (&Side, &Filled)| {
@@ -160,11 +160,11 @@ impl Editor<'_> {
         Side { positions, centre: self.position(v), along, normal: self.star_normal(&ring.faces), ring }
     }
 
-    /// Triangles that fill a polygon, by places in its ring. The cheapest hang on a layout.
+    /// Triangles that fill a polygon, by places in its ring.
     fn filling(&self, side: &Side, filling: Filling<'_>) -> Option<Filled> {
         let vertices = &side.ring.vertices;
         let n = vertices.len();
-        // The last side of the polygon may be an edge to come.
+        // On an arc, the side from the last corner to the first is an edge that the removal makes.
         let is_side = |i: usize, j: usize| i.abs_diff(j) == 1 || i.abs_diff(j) == n - 1;
         let may_be = |i: usize, j: usize| is_side(i, j) || !self.is_edge(vertices[i], vertices[j]);
         let place = |v: VertexId| vertices.iter().position(|&w| w == v);
@@ -202,7 +202,7 @@ impl Editor<'_> {
 }
 
 impl Side {
-    /// Longest side of the polygon that there is now.
+    /// The longest side of the polygon, of those that are edges now.
     fn longest(&self) -> f64 {
         let steps = self.positions.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f64::max);
         match self.positions[..] {
@@ -211,7 +211,7 @@ impl Side {
         }
     }
 
-    /// The first layout that is unfolded and that something is found in, and what is found.
+    /// The first layout without a fold in which `find` finds something, and what it finds.
     fn laid_out<T>(&self, find: impl Fn(&[DVec2]) -> Option<T>) -> Option<(Vec<DVec2>, T)> {
         let is_flat_enough = |p: &[DVec2]| are_unfolded(&self.spokes(p));
         match self.along {

@@ -1,4 +1,4 @@
-//! The one way in which a base mesh changes: faces over flat polygons give way to others, in the mesh and in the map.
+//! The one way in which a base mesh changes: faces that fill flat polygons are replaced by others, in the mesh and in the map.
 
 use super::mesh::{Editor, surface_normal};
 use super::samples::{MOST_TURNED, Placed, moved};
@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use mesh_core::{FaceId, VertexId, normal};
 use region_map::MapFaceId;
 
-/// Faces over a flat polygon, and what comes in their place.
+/// Faces that fill a flat polygon, and what comes in their place.
 pub(crate) struct Edit {
     /// Faces that go, with their corners and the places of these.
     pub(crate) old: Vec<(FaceId, [VertexId; 3], [DVec2; 3])>,
@@ -33,8 +33,8 @@ struct Plan {
 }
 
 impl Editor<'_> {
-    /// Replaces faces by others over the same flat polygons, if none of these turns its back on more of the surface than is bearable or
-    /// than one did before. `v` is where it says then.
+    /// Replaces faces by others that fill the same flat polygons, and moves a vertex there if `v` names one. False, changing nothing, where
+    /// a new face would face against more than [`MOST_TURNED`] of the surface that it covers, unless an old one did so no less.
     pub(super) fn replace(&mut self, edits: &[Edit], v: Option<(VertexId, DVec3)>) -> bool {
         let Some(plans) = self.plans(edits) else { return false };
         let before = edits.iter().flat_map(|e| &e.old).map(|&(f, ..)| self.turned(f)).fold(MOST_TURNED, f64::max);
@@ -47,12 +47,12 @@ impl Editor<'_> {
         self.carry_out(edits, plans)
     }
 
-    /// The same for edits that are needed whatever comes out.
+    /// The same without asking how the new faces face: for splits, which leave the shape as it is.
     pub(super) fn replace_anyway(&mut self, edits: &[Edit]) -> bool {
         self.plans(edits).is_some_and(|plans| self.carry_out(edits, plans))
     }
 
-    /// The share of what it covers that a face turns its back on.
+    /// The share of the surface that a face covers and faces against.
     fn turned(&self, f: FaceId) -> f64 {
         self.face(f).map_or(0.0, |face| self.samples.turned_share(&self.covered[f], normal(self.triangle(&face))))
     }

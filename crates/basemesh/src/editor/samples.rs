@@ -1,7 +1,7 @@
-//! What every base face covers: samples of the working mesh that the edits carry along.
+//! Which part of the surface every base face covers: samples of the working mesh, one in the middle of each of its faces.
 //!
-//! The map runs backwards through the history of edits, which takes long where they are many. Samples run forwards with them (Lee et
-//! al., *MAPS*, 1998): an edit moves those of its few faces to the new ones. So a face always knows the normals that it stands for.
+//! To ask the map where a point lies takes long where there were many edits. So each edit moves the samples of the few faces that it
+//! replaces to the new ones (Lee et al., *MAPS*, 1998), and a base face always knows the normals of the surface that it covers.
 
 use super::layout::deepest;
 use glam::{DVec2, DVec3};
@@ -9,9 +9,9 @@ use mesh_core::{IdVec, SurfacePoint};
 use region_map::{BaseMap, MapFaceId, Surface};
 use std::sync::Arc;
 
-/// A face that turns its back on more than this share of what it covers folds there when it is subdivided.
+/// A base face may face against at most this share of the surface that it covers: with more, its subdivisions fold there.
 pub(crate) const MOST_TURNED: f64 = 0.1;
-/// Cosine of the angle from which a face turns its back: 75 degrees.
+/// A face counts as facing against the surface where the normals are more than 75 degrees apart: the cosine of that angle.
 const TURNED_COSINE: f64 = 0.26;
 
 /// A sample in a base face.
@@ -48,7 +48,7 @@ impl Samples {
         sum.try_normalize()
     }
 
-    /// The share of what a face covers that a face with this normal turns its back on.
+    /// The share of what a face covers that a face with this normal faces against.
     pub(crate) fn turned_share(&self, covered: &[Placed], normal: DVec3) -> f64 {
         let (mut all, mut turned) = (0.0, 0.0);
         for (there, area) in covered.iter().map(|p| self.0[p.sample as usize]) {
@@ -59,7 +59,7 @@ impl Samples {
     }
 }
 
-/// Moves samples from flat triangles to others over the same polygon.
+/// Moves samples from flat triangles to others that fill the same polygon.
 pub(crate) fn moved<'p>(old: impl Iterator<Item = (&'p [Placed], [DVec2; 3])>, new: &[[DVec2; 3]]) -> Vec<Vec<Placed>> {
     let mut moved = vec![Vec::new(); new.len()];
     for (covered, layout) in old {

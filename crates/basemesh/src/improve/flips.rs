@@ -8,7 +8,7 @@ use mesh_core::VertexId;
 const MOVES: usize = 2;
 /// Flips must gain this much, or rounding could make them cycle.
 const LEAST_GAIN: f64 = 1e-6;
-/// Flips don't make edges longer than so many times their chord.
+/// A flip may not make an edge that is longer on the surface than so many times its chord, unless the old one was.
 const MOST_DETOUR: f64 = 1.5;
 /// Passes of flips after a round; most need two or three.
 const FLIP_PASSES: usize = 6;
@@ -48,8 +48,8 @@ pub(crate) fn flip_edges(editor: &mut Editor<'_>) {
     }
 }
 
-/// Flips an edge, but not to one that takes a detour on the surface: round a limb, the chord may be short where the edge goes the other
-/// way, and triangles that look well wind up there. Returns the corners of the two faces if it was flipped.
+/// Flips an edge, unless the new one is much longer on the surface than its chord: across a thin limb the chord may be short while the
+/// edge goes all the way round, and the map then winds round the limb. Returns the corners of the two faces if it was flipped.
 fn flip_unless_it_winds(editor: &mut Editor<'_>, a: VertexId, b: VertexId) -> Option<[VertexId; 4]> {
     let [Some((_, c)), Some((_, d))] = editor.faces_beside(a, b) else { return None };
     let before = editor.detour(a, b);

@@ -14,7 +14,7 @@ const STRAIGHT_COST: f64 = 300.0;
 /// Cosine of the angle between two arcs beyond which a triangle's corner between them counts as straight: 150 degrees.
 const STRAIGHT_COSINE: f64 = -0.866;
 
-/// True for a face that faces against the surface under its middle.
+/// True for a face that faces against the surface that it covers, or has no area.
 pub(crate) fn is_folded(editor: &Editor<'_>, corners: [VertexId; 3]) -> bool {
     let mut faces = editor.faces_at(corners[0]).filter(|f| f.from(corners[0]) == corners);
     faces.any(|f| signed_quality(editor.triangle(&f), f.normal) <= 0.0)
@@ -37,8 +37,8 @@ pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     before - after + VALENCE_COST * valences
 }
 
-/// Inverse mean ratios of two neighbouring triangles and their fold: 2 for a flat pair of equilateral ones. A straight corner costs
-/// more than anything.
+/// What two neighbouring triangles cost: their inverse mean ratios, their angle, and their straight corners. 2 for a flat pair of
+/// equilateral ones.
 fn pair_cost(editor: &Editor<'_>, s: ([VertexId; 3], DVec3), t: ([VertexId; 3], DVec3)) -> f64 {
     let [p, q] = [s.0, t.0].map(|f| f.map(|v| editor.position(v)));
     let fold = 1.0 - mesh_core::normal(p).dot(mesh_core::normal(q));
