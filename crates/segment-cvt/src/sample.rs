@@ -67,7 +67,10 @@ pub fn sample(surface: &Surface, cells: &Cells, sizing: &Sizing, options: &CvtOp
         .as_slice()
         .par_iter()
         .enumerate()
-        .map(|(i, patch)| in_patch(mesh, cells, patch, &on_arcs, sizing, budget.inner[PatchId::new(i)], options))
+        .map(|(i, patch)| match surface.interrupt().is_set() {
+            true => Vec::new(),
+            false => in_patch(mesh, cells, patch, &on_arcs, sizing, budget.inner[PatchId::new(i)], options),
+        })
         .collect();
     Ok(Sampled { sites: Sites { on_arcs, in_patches: IdVec::from_vec(in_patches) }, budget })
 }

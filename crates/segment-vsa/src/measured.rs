@@ -1,7 +1,7 @@
 //! What the stage knows of the working mesh, measured once.
 
 use glam::DVec3;
-use mesh_core::{FaceId, IdVec, Topology, TriMesh};
+use mesh_core::{FaceId, IdVec, Interrupt, Topology, TriMesh};
 use region_map::{Network, Surface};
 
 /// The working mesh with normals, areas and centroids of its faces.
@@ -13,6 +13,7 @@ pub(crate) struct Measured<'a> {
     pub(crate) areas: IdVec<FaceId, f64>,
     pub(crate) centroids: IdVec<FaceId, DVec3>,
     pub(crate) total_area: f64,
+    pub(crate) interrupt: &'a Interrupt,
 }
 
 impl<'a> Measured<'a> {
@@ -21,6 +22,7 @@ impl<'a> Measured<'a> {
         let areas = mesh.areas();
         let total_area = areas.iter().sum();
         let centroids = mesh.faces().ids().map(|f| mesh.centroid(f)).collect();
-        Self { mesh, topology, network, normals: mesh.normals(), areas, centroids, total_area }
+        let (normals, interrupt) = (mesh.normals(), surface.interrupt());
+        Self { mesh, topology, network, normals, areas, centroids, total_area, interrupt }
     }
 }

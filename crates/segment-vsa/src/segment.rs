@@ -130,6 +130,9 @@ fn lloyd(
     report: &mut VsaReport,
 ) -> PatchOf {
     for round in 1..options.rounds {
+        if surface.interrupt.is_set() {
+            break;
+        }
         let mut patch_of = grow(surface, metric, &mut proxies);
         let may_change = round % 2 == 0 && round + SETTLING_ROUNDS <= options.rounds;
         if may_change {
