@@ -1,6 +1,7 @@
 //! The command line as the user types it.
 
-use clap::{Parser, Subcommand, value_parser};
+use clap::{Parser, Subcommand};
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 /// Semi-regular remeshing of triangle meshes: few base triangles, split 1-to-4 again and again, with the creases kept.
@@ -35,7 +36,7 @@ pub(crate) struct RemeshArgs {
     #[arg(short, long)]
     pub(crate) output: PathBuf,
     /// How often every base triangle is split in four
-    #[arg(long, value_name = "L", default_value_t = 3, value_parser = value_parser!(u32).range(0..=8))]
+    #[arg(long, value_name = "L", default_value_t = 3, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
     #[arg(long)]
@@ -69,38 +70,53 @@ pub(crate) struct StagesArgs {
 /// What every command takes that makes a base mesh.
 #[derive(clap::Args)]
 pub(crate) struct SourceArgs {
-    /// The mesh to remesh: obj, ply, stl, off, gltf or glb
+    /// The mesh to remesh: obj, ply, stl, off, gltf or glb, also compressed (.gz)
     pub(crate) input: PathBuf,
     /// Wanted number of base vertices [default: 1.6 % of the input's, between 100 and 2000]
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = base_vertices, allow_negative_numbers = true)]
     pub(crate) base_vertices: Option<u32>,
     /// An edge with at least this angle between its faces, in degrees, is a crease [default: 40]
-    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true)]
     pub(crate) crease_angle: Option<f64>,
     /// An edge with at least this angle goes on from the loose end of a crease [default: 25, at most the crease angle]
-    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true)]
     pub(crate) weak_angle: Option<f64>,
     /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
     #[arg(long, value_name = "FILE")]
     pub(crate) marked_edges: Option<PathBuf>,
     /// Seed of all that is chosen at random
-    #[arg(long, value_name = "S", default_value_t = 0)]
+    #[arg(long, value_name = "S", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: u64,
     /// Number of threads; the result does not depend on it [default: one for each processor]
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
-    /// Print the report as one JSON object
+    /// Write over the input, or another file that is read
+    #[arg(long)]
+    pub(crate) force: bool,
+    #[command(flatten)]
+    pub(crate) talk: Talk,
+}
+
+/// How much a command says.
+#[derive(clap::Args, Clone, Copy)]
+pub(crate) struct Talk {
+    /// Print one JSON object: the report, or what went wrong
     #[arg(long)]
     pub(crate) json: bool,
+    /// Print all figures, and a line for each stage when it begins (on a terminal, a bar shows that anyway)
+    #[arg(short, long, conflicts_with = "quiet")]
+    pub(crate) verbose: bool,
+    /// Print nothing but errors, and what --json prints
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 #[derive(clap::Args)]
 pub(crate) struct InspectArgs {
-    /// The mesh: obj, ply, stl, off, gltf or glb
+    /// The mesh: obj, ply, stl, off, gltf or glb, also compressed (.gz)
     pub(crate) input: PathBuf,
-    /// Print one JSON object
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) talk: Talk,
 }
 
 #[derive(clap::Args)]
@@ -109,9 +125,8 @@ pub(crate) struct CompareArgs {
     pub(crate) a: PathBuf,
     /// The mesh that stands for it
     pub(crate) b: PathBuf,
-    /// Print one JSON object
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) talk: Talk,
 }
 
 #[derive(clap::Args)]
@@ -119,20 +134,55 @@ pub(crate) struct CheckArgs {
     /// A mesh in a format that keeps the order of vertices: any but stl
     pub(crate) file: PathBuf,
     /// Subdivision levels that it shall have
-    #[arg(long, value_name = "L", default_value_t = 3, value_parser = value_parser!(u32).range(0..=8))]
+    #[arg(long, value_name = "L", default_value_t = 3, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Triangles without area are told, but no fault: for a base mesh, which is judged by its connectivity
     #[arg(long)]
     pub(crate) connectivity: bool,
-    /// Print one JSON object
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) talk: Talk,
+}
+
+fn levels(text: &str) -> Result<u32, String> {
+    whole(text, 0..=8).map(|n| n as u32)
+}
+
+fn base_vertices(text: &str) -> Result<u32, String> {
+    whole(text, 1..=u32::MAX.into()).map(|n| n as u32)
+}
+
+fn threads(text: &str) -> Result<u16, String> {
+    whole(text, 1..=1024).map(|n| n as u16)
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    whole(text, 0..=u64::MAX)
+}
+
+fn whole(text: &str, range: RangeInclusive<u64>) -> Result<u64, String> {
+    let needed = || format!("a whole number from {} to {} is needed", range.start(), range.end());
+    text.parse().ok().filter(|n| range.contains(n)).ok_or_else(needed)
 }
 
 fn degrees(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(angle) if angle > 0.0 && angle < 180.0 => Ok(angle),
         _ => Err("an angle between 0 and 180 degrees is needed".to_owned()),
+    }
+}
+
+impl Command {
+    /// Whether the user wants JSON.
+    pub(crate) fn json(&self) -> bool {
+        let talk = match self {
+            Self::Remesh(args) => args.source.talk,
+            Self::Base(args) => args.source.talk,
+            Self::Stages(args) => args.source.talk,
+            Self::Inspect(args) => args.talk,
+            Self::Compare(args) => args.talk,
+            Self::Check(args) => args.talk,
+        };
+        talk.json
     }
 }
 
@@ -144,5 +194,21 @@ mod tests {
     #[test]
     fn the_definition_is_sound() {
         Args::command().debug_assert();
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_told_the_range() {
+        for (option, value, range) in [
+            ("--levels", "-1", "from 0 to 8"),
+            ("--levels", "9", "from 0 to 8"),
+            ("--base-vertices", "-5", "from 1 to 4294967295"),
+            ("--threads", "-2", "from 1 to 1024"),
+            ("--seed", "-1", "from 0 to"),
+            ("--crease-angle", "-10", "between 0 and 180 degrees"),
+        ] {
+            let said =
+                Args::try_parse_from(["semireg", "remesh", "a.obj", "-o", "b.obj", option, value]).err().unwrap().to_string();
+            assert!(said.contains(&format!("'{value}' for '{option}")) && said.contains(range), "{said}");
+        }
     }
 }

@@ -1,12 +1,15 @@
 //! `semireg base` and `semireg stages`: the pipeline up to the base mesh.
 
 use crate::figures::Figures;
+use crate::load;
 use crate::plan::BasePlan;
 use crate::print::{self, Table};
-use crate::report::{BaseVertices, Cells, CreaseLength, as_map, course_rows, repairs};
+use crate::progress::Meter;
+use crate::report::{BaseVertices, Cells, CreaseLength, Try, as_map, course_rows, repairs, repairs_row, warning_rows};
+use crate::seconds::Seconds;
 use crate::stages;
 use anyhow::Context as _;
-use certify::MeasureOptions;
+use certify::{MeasureOptions, Reference};
 use semireg::Based;
 use serde::Serialize;
 use std::time::Instant;
@@ -17,18 +20,26 @@ const ROUND_TRIPS: usize = 1000;
 /// Makes the base mesh, writes it or the pictures of its stages, and reports.
 pub(crate) fn run(plan: &BasePlan) -> anyhow::Result<()> {
     let start = Instant::now();
+    let mut meter = Meter::new(plan.talk);
     let document = mesh_io::read(&plan.input)?;
     let read_seconds = start.elapsed().as_secs_f64();
-    let based = semireg::base(&document.soup, &plan.options).with_context(|| plan.input.display().to_string())?;
+    let based = semireg::base_with(&document.soup, &plan.options, &mut |progress| meter.step(progress))
+        .with_context(|| plan.input.display().to_string())?;
+    meter.check()?;
     let mut report = BaseReport::new(plan, &based)?;
     if let Some(folder) = &plan.stages {
         stages::write_base(folder, &based.stages)?;
     }
     if let Some(output) = &plan.output {
-        mesh_io::write(output, &based.stages.base.mesh)?;
+        mesh_io::write(output, based.stages.base.mesh())?;
     }
-    report.seconds.extend([("read", read_seconds), ("total", start.elapsed().as_secs_f64())]);
-    if plan.json { print::json(&report) } else { report.table().print() }
+    drop(meter);
+    report.seconds.add("read", read_seconds);
+    report.seconds.end("report", start.elapsed().as_secs_f64());
+    if plan.output.is_some() {
+        report.warnings.extend(load::lost(&document.extras));
+    }
+    print::report(plan.talk, &report, || report.summary(), || report.table())
 }
 
 /// Everything worth telling of a base mesh, under the names that the report of a remeshing has.
@@ -41,21 +52,24 @@ struct BaseReport {
     #[serde(serialize_with = "as_map")]
     repairs: Vec<(&'static str, usize)>,
     warnings: Vec<String>,
+    /// Where the base mesh comes from.
+    way: &'static str,
+    attempts: Vec<Try>,
     base_vertices: BaseVertices,
     cells: Cells,
     crease_length: CreaseLength,
     /// How far points of the input are off after a way to the base mesh and back, at most, over the diagonal.
-    round_trip: f64,
+    round_trip: Option<f64>,
     #[serde(flatten)]
     figures: Figures,
-    #[serde(serialize_with = "as_map")]
-    seconds: Vec<(&'static str, f64)>,
+    seconds: Seconds,
 }
 
 impl BaseReport {
     fn new(plan: &BasePlan, based: &Based) -> anyhow::Result<Self> {
         let stages = &based.stages;
-        let measures = certify::measure(&stages.cleaned.mesh, &stages.base.mesh, &MeasureOptions::default())
+        let measures = Reference::new(stages.cleaned.mesh.clone())
+            .and_then(|input| certify::measure(&input, stages.base.mesh(), &MeasureOptions::default()))
             .with_context(|| format!("cannot measure the base mesh of {}", plan.input.display()))?;
         let target = plan.output.as_ref().or(plan.stages.as_ref());
         Ok(Self {
@@ -65,15 +79,31 @@ impl BaseReport {
             seed: plan.options.seed,
             repairs: repairs(&stages.cleaned.report),
             warnings: stages.warnings.clone(),
-            base_vertices: (&stages.base.counts).into(),
+            way: stages.way.name(),
+            attempts: based.attempts.iter().map(Try::from).collect(),
+            base_vertices: (&stages.counts).into(),
             cells: stages.cell_counts().into(),
-            crease_length: stages.crease_length().into(),
-            round_trip: stages.base.round_trip_error(&stages.working.mesh, ROUND_TRIPS),
+            crease_length: stages.crease_lengths().into(),
+            round_trip: stages.base.mapped().map(|base| base.round_trip_error(stages.surface.mesh(), ROUND_TRIPS)),
             figures: Figures::new(&measures, |t| t.indexed),
-            seconds: based.seconds.0.clone(),
+            seconds: Seconds::new(&based.seconds),
         })
     }
 
+    /// What matters, in at most ten lines.
+    fn summary(&self) -> Table {
+        let mut table = Table::default();
+        let output = self.output.as_deref().unwrap_or_default();
+        table.row("written", format!("{output} after {:.1} s (-v shows all figures)", self.seconds.total()));
+        table.row("base mesh", self.base_vertices.words());
+        self.crease_length.summary(&mut table);
+        self.figures.base_summary(&mut table);
+        repairs_row(&mut table, &self.repairs);
+        warning_rows(&mut table, &self.warnings);
+        table
+    }
+
+    /// All figures, one line each.
     fn table(&self) -> Table {
         let mut table = Table::default();
         table.row_if("written", self.output.as_ref());

@@ -1,11 +1,11 @@
 //! `semireg check FILE --levels n`: is it what we promise of a result?
 
 use crate::args::CheckArgs;
+use crate::failure::{Failure, Kind};
 use crate::figures::{Counts, Shape};
 use crate::load;
 use crate::print::{self, Table};
-use anyhow::bail;
-use certify::{Certificate, Failure, MeasureOptions};
+use certify::{Certificate, MeasureOptions, Reference};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -25,23 +25,22 @@ pub(crate) fn run(args: &CheckArgs) -> anyhow::Result<()> {
     let file = args.file.display().to_string();
     let raw = load::raw(&args.file)?;
     // Certified against itself: what is left is what the mesh says of itself, at the price of a distance that is 0.
-    let certificate = certify::certify(&raw.mesh, &raw.mesh, args.levels, &MeasureOptions { samples: 1 })
-        .map_err(|e| anyhow::anyhow!("cannot check {file}: {e}; give a file with a surface"))?;
+    let certificate = Reference::new(raw.mesh.clone())
+        .and_then(|itself| certify::certify(&itself, &raw.mesh, args.levels, &MeasureOptions { samples: 1 }))
+        .map_err(|e| Failure::new(Kind::Empty, format!("cannot check {file}: {e}; give a file with a surface")))?;
     let checked = report(file, raw.left_out, args.connectivity, &certificate);
-    if args.json {
-        print::json(&checked)?;
-    } else {
-        table(&checked).print()?;
-    }
-    match checked.failures.first() {
-        Some(first) => bail!("{} is not a sound mesh of {} subdivision levels: {first}", checked.file, args.levels),
-        None => Ok(()),
-    }
+    let Some(first) = checked.failures.first() else {
+        return print::report(args.talk, &checked, || table(&checked), || table(&checked));
+    };
+    let message = format!("{} is not a sound mesh of {} subdivision levels: {first}", checked.file, args.levels);
+    let hint = "remesh its surface, or give the number of levels that it has (--levels)";
+    let failure = Failure::new(Kind::CheckFailed, format!("{message}; {hint}"));
+    Err(print::failed(args.talk, &checked, failure, || table(&checked), || table(&checked)))
 }
 
 fn report(file: String, left_out: usize, connectivity: bool, certificate: &Certificate) -> Checked {
     let all = certificate.failures();
-    let counts = |failure: &&Failure| !(connectivity && matches!(failure, Failure::Degenerate(_)));
+    let counts = |failure: &&certify::Failure| !(connectivity && matches!(failure, certify::Failure::Degenerate(_)));
     let mut failures: Vec<String> = all.iter().filter(counts).map(ToString::to_string).collect();
     if left_out > 0 {
         failures.push(format!("{left_out} triangles have an index out of range or the same one twice"));

@@ -1,10 +1,11 @@
 //! `semireg compare A B`: all measures between two files.
 
 use crate::args::CompareArgs;
+use crate::failure::{Failure, Kind};
 use crate::figures::Figures;
 use crate::load;
 use crate::print::{self, Table};
-use certify::MeasureOptions;
+use certify::{MeasureOptions, Reference};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -20,23 +21,37 @@ struct Comparison {
 /// Measures B against A, both as they are in their files; connectivity is by position.
 pub(crate) fn run(args: &CompareArgs) -> anyhow::Result<()> {
     let (a, b) = (load::raw(&args.a)?, load::raw(&args.b)?);
-    let measures = certify::measure(&a.mesh, &b.mesh, &MeasureOptions::default()).map_err(|e| {
-        anyhow::anyhow!("cannot compare {} with {}: {e}; give files with a surface", args.a.display(), args.b.display())
+    let [original, remeshed] = [&a.mesh, &b.mesh].map(certify::weld);
+    let measured = Reference::new(a.mesh).and_then(|a| certify::measure(&a, &b.mesh, &MeasureOptions::default()));
+    let measures = measured.map_err(|e| {
+        let message = format!("cannot compare {} with {}: {e}; give files with a surface", args.a.display(), args.b.display());
+        Failure::new(Kind::Empty, message)
     })?;
     let comparison = Comparison {
         a: args.a.display().to_string(),
         b: args.b.display().to_string(),
         left_out: [a.left_out, b.left_out],
-        figures: Figures::new(&measures, |t| t.welded),
+        figures: Figures::new(&measures, |t| t.welded).with_sharp_edges(&original, &remeshed),
     };
-    if args.json {
-        return print::json(&comparison);
+    let summary = |figures: &Figures, table: &mut Table| {
+        figures.summary(table);
+        figures.faults(table);
+    };
+    print::report(args.talk, &comparison, || comparison.table(summary), || comparison.table(Figures::rows))
+}
+
+impl Comparison {
+    /// The two files, and the figures as `rows` has them.
+    fn table(&self, rows: impl Fn(&Figures, &mut Table)) -> Table {
+        let mut table = Table::default();
+        table.row("original", &self.a);
+        table.row("compared", &self.b);
+        rows(&self.figures, &mut table);
+        let [in_a, in_b] = self.left_out;
+        table.row_if(
+            "left out",
+            (in_a + in_b > 0).then(|| format!("{in_a} and {in_b} triangles with a vertex that does not exist, or one twice")),
+        );
+        table
     }
-    let mut table = Table::default();
-    table.row("original", &comparison.a);
-    table.row("compared", &comparison.b);
-    comparison.figures.rows(&mut table);
-    let [in_a, in_b] = comparison.left_out;
-    table.row_if("left out", (in_a + in_b > 0).then(|| format!("{in_a} and {in_b} triangles that are none")));
-    table.print()
 }

@@ -1,7 +1,10 @@
 //! The measures of `certify` under the names that the JSON has, and as lines for people.
 
 use crate::print::Table;
+use crate::sharp::{self, Kept};
+use crate::verdict::Verdict;
 use certify::{Measures, Quality, Stats, TopologyCounts};
+use mesh_core::TriMesh;
 use serde::Serialize;
 
 /// Mean, root mean square and greatest of a distance, in parts of the original's diagonal.
@@ -50,6 +53,11 @@ impl From<TopologyCounts> for Counts {
 }
 
 impl Counts {
+    /// What matters of them, in words that need no explanation.
+    pub(crate) fn words(&self) -> String {
+        surface_words(self.components, self.border_loops, self.genus)
+    }
+
     /// As a part of a sentence.
     pub(crate) fn text(&self) -> String {
         let genus = self.genus.map_or(String::new(), |g| format!(", genus {g}"));
@@ -63,6 +71,24 @@ impl Counts {
         }
         text
     }
+}
+
+/// A surface in words.
+pub(crate) fn surface_words(parts: usize, borders: usize, genus: Option<i64>) -> String {
+    let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+    let open = if borders == 0 { "closed".to_owned() } else { plural(borders, "open border") };
+    format!("{}, {open}{}", plural(parts, "part"), genus.map_or(String::new(), |g| format!(", genus {g}")))
+}
+
+/// A share in per cent, to two digits.
+pub(crate) fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    // Rounding of coordinates.
+    if percent.abs() < 1e-8 {
+        return "0 %".to_owned();
+    }
+    let decimals = (1.0 - percent.abs().log10().floor()).max(0.0) as usize;
+    format!("{percent:.decimals$} %")
 }
 
 /// Shape of the triangles.
@@ -98,6 +124,14 @@ impl From<&Quality> for Shape {
 }
 
 impl Shape {
+    /// Appends the line that matters.
+    pub(crate) fn summary(&self, table: &mut Table) {
+        let Self { ar_mean, ar_p01, .. } = self;
+        let verdict = Verdict::of_shape(*ar_mean, *ar_p01);
+        let figures = format!("quality {ar_mean:.2} in the mean, {ar_p01:.2} in the worst hundredth (1 = equilateral)");
+        table.row("shape", format!("{verdict}: {figures}"));
+    }
+
     /// Appends the lines on shape.
     pub(crate) fn rows(&self, table: &mut Table) {
         let Self { ar_mean, ar_p01, ar_min, agl, angle_min, angle_max, area_cv, area_ratio, degenerate, irregular } = self;
@@ -121,6 +155,8 @@ pub(crate) struct Figures {
     err_max: f64,
     forward: Spread,
     backward: Spread,
+    /// Share of the sharp edges that a person sees.
+    sharp_cover: Option<f64>,
     crease_cover: Option<f64>,
     crease_distance: Option<Spread>,
     border_distance: Option<Spread>,
@@ -129,6 +165,11 @@ pub(crate) struct Figures {
     self_intersecting_original: usize,
     topology: Counts,
     topology_original: Counts,
+    #[serde(skip)]
+    sharp: Option<Kept>,
+    /// Mean length of an edge over the original's diagonal.
+    #[serde(skip)]
+    edge: f64,
 }
 
 impl Figures {
@@ -145,6 +186,7 @@ impl Figures {
             err_max: worse.max,
             forward: m.distance.forward.into(),
             backward: m.distance.backward.into(),
+            sharp_cover: None,
             crease_cover: m.creases.map(|c| c.share),
             crease_distance: m.creases.and_then(|c| c.distance).map(Spread::from),
             border_distance: m.border.map(Spread::from),
@@ -153,7 +195,52 @@ impl Figures {
             self_intersecting_original: m.original_self_intersecting,
             topology: topology.into(),
             topology_original: topology_original.into(),
+            sharp: None,
+            edge: 0.0,
         }
+    }
+
+    /// With what is kept of the sharp edges that a person sees, of two meshes that are connected by index.
+    pub(crate) fn with_sharp_edges(self, original: &TriMesh, remeshed: &TriMesh) -> Self {
+        let edge = sharp::mean_edge(remeshed) / original.diagonal();
+        let sharp = sharp::kept(original, remeshed);
+        Self { sharp_cover: sharp.map(|kept| kept.share), sharp, edge, ..self }
+    }
+
+    /// Appends the lines that matter, each with a verdict.
+    pub(crate) fn summary(&self, table: &mut Table) {
+        table.row("mesh", format!("{} vertices, {} triangles: {}", self.vertices, self.faces, self.topology.words()));
+        self.shape.summary(table);
+        let verdict = Verdict::of_distance(self.err_max, self.edge);
+        let [mean, greatest] = [self.err_mean, self.err_max].map(percent);
+        table.row("distance", format!("{verdict}: {mean} of the diagonal in the mean, {greatest} at most"));
+        let words = |kept: Kept| {
+            let few = if kept.are_few() { "there are few; " } else { "" };
+            format!("{}: {few}{:.1} % of their length kept", Verdict::of_sharp_edges(kept), 100.0 * kept.share)
+        };
+        table.row("sharp edges", self.sharp.map_or("none that stand out".to_owned(), words));
+        let (result, original) = (self.self_intersecting, self.self_intersecting_original);
+        let cuts =
+            || format!("{}: {result} triangles cut others, {original} in the original", Verdict::of_cuts(result, original));
+        table.row_if("cuts", (result > 0).then(cuts));
+    }
+
+    /// Appends the lines that matter of a base mesh: its edges are chords, so its distance says nothing of what is kept.
+    pub(crate) fn base_summary(&self, table: &mut Table) {
+        table.row("mesh", format!("{} vertices, {} triangles: {}", self.vertices, self.faces, self.topology.words()));
+        self.shape.summary(table);
+    }
+
+    /// Appends what is wrong with a mesh that was not certified.
+    pub(crate) fn faults(&self, table: &mut Table) {
+        let poor = Verdict::Poor;
+        let original = self.topology_original.words();
+        let differs = [self.topology.components, self.topology.border_loops]
+            != [self.topology_original.components, self.topology_original.border_loops]
+            || self.topology.euler != self.topology_original.euler;
+        table.row_if("topology", differs.then(|| format!("{poor}: the original has {original}")));
+        let flipped = self.flipped.filter(|n| *n > 0);
+        table.row_if("flipped", flipped.map(|n| format!("{poor}: {n} triangles face the other way than the original")));
     }
 
     /// Appends a line for each measure.
@@ -163,7 +250,10 @@ impl Figures {
         self.shape.rows(table);
         let Self { err_mean, err_rms, err_max, .. } = self;
         table.row("error", format!("mean {err_mean:.2e}, RMS {err_rms:.2e}, greatest {err_max:.2e} of the diagonal"));
-        table.row_if("crease cover", self.crease_cover.map(|c| format!("{:.2} % of the original's creases are kept", 100.0 * c)));
+        let cover = |share: f64| format!("{:.2} % of the length that a person sees as sharp is kept", 100.0 * share);
+        table.row_if("sharp edges", self.sharp_cover.map(cover));
+        let cover = |share: f64| format!("{:.2} % of all edges over 40 degrees are kept, noise included", 100.0 * share);
+        table.row_if("crease cover", self.crease_cover.map(cover));
         table
             .row_if("border", self.border_distance.as_ref().map(|b| format!("mean {:.2e}, greatest {:.2e} away", b.mean, b.max)));
         let flipped =
@@ -171,5 +261,23 @@ impl Figures {
         table.row("flipped", flipped);
         let (mine, theirs) = (self.self_intersecting, self.self_intersecting_original);
         table.row("intersecting", format!("{mine} triangles, {theirs} in the original"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_have_two_digits() {
+        for (share, text) in [(0.0123, "1.2 %"), (1.74e-4, "0.017 %"), (0.5, "50 %"), (1.0, "100 %"), (1e-12, "0 %")] {
+            assert_eq!(percent(share), text);
+        }
+    }
+
+    #[test]
+    fn surfaces_in_words() {
+        assert_eq!(surface_words(1, 0, Some(0)), "1 part, closed, genus 0");
+        assert_eq!(surface_words(2, 1, None), "2 parts, 1 open border");
     }
 }

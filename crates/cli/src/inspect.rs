@@ -1,14 +1,15 @@
 //! `semireg inspect INPUT`: what is it?
 
 use crate::args::InspectArgs;
-use crate::figures::Shape;
+use crate::figures::{Shape, surface_words};
 use crate::print::{self, Table};
 use crate::report::repairs;
-use anyhow::Context as _;
+use crate::sharp;
+use crate::verdict::Verdict;
 use features::FeatureOptions;
 use mesh_core::{CleanOptions, Cleaned, Inspection};
 use mesh_io::Document;
-use region_map::ArcKind;
+use region_map::{ArcKind, CreaseLengths};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -16,6 +17,8 @@ use std::collections::BTreeMap;
 struct Inspected {
     input: String,
     counts: Counts,
+    /// What else the file holds, in words.
+    also_holds: Vec<String>,
     /// Repairs that remeshing would begin with.
     repairs: BTreeMap<&'static str, usize>,
     /// After these repairs; none where nothing is left to work on.
@@ -61,6 +64,8 @@ struct Surface {
 struct Features {
     crease_length: f64,
     border_length: f64,
+    /// Length of the edges that a person sees as sharp.
+    sharp_length: f64,
     arcs: usize,
     corners: usize,
 }
@@ -72,16 +77,16 @@ pub(crate) fn run(args: &InspectArgs) -> anyhow::Result<()> {
     let inspected = Inspected {
         input: args.input.display().to_string(),
         counts: counts(&document, mesh_core::inspect(&document.soup)),
+        also_holds: document.extras.iter().map(ToString::to_string).collect(),
         repairs: cleaned.as_ref().map(|c| repairs(&c.report).into_iter().filter(|(_, n)| *n > 0).collect()).unwrap_or_default(),
         cleaned: cleaned.as_ref().ok().map(surface).transpose()?,
     };
-    if args.json {
-        print::json(&inspected)?
-    } else {
-        table(&inspected).print()?
-    }
+    let Err(e) = cleaned else {
+        return print::report(args.talk, &inspected, || summary(&inspected), || table(&inspected));
+    };
     // The counts are worth showing, but there is nothing to remesh.
-    cleaned.map(drop).with_context(|| inspected.input)
+    let failure = anyhow::Error::from(e).context(inspected.input.clone());
+    Err(print::failed(args.talk, &inspected, failure, || summary(&inspected), || table(&inspected)))
 }
 
 fn counts(document: &Document, seen: Inspection) -> Counts {
@@ -121,17 +126,70 @@ fn surface(cleaned: &Cleaned) -> anyhow::Result<Surface> {
 
 fn features(cleaned: &Cleaned) -> anyhow::Result<Features> {
     let strong = FeatureOptions::default().strong_angle;
-    let options = FeatureOptions { weak_angle: strong, base_edge_length: 0.0, ..FeatureOptions::default() };
-    let network = features::detect(&cleaned.mesh, &cleaned.topology, &options)?;
-    let [kept, minor] = network.crease_lengths(&cleaned.mesh);
+    let options = FeatureOptions { weak_angle: strong, ..FeatureOptions::default() };
+    let network = features::detect(&cleaned.mesh, &cleaned.topology, &[], 0.0, &options)?;
+    let CreaseLengths { kept, minor } = network.crease_lengths(&cleaned.mesh);
     Ok(Features {
         crease_length: kept + minor,
         border_length: network.arcs.iter().filter(|arc| arc.kind == ArcKind::Border).map(|arc| arc.length()).sum(),
+        sharp_length: sharp::length(&cleaned.mesh),
         arcs: network.arcs.len(),
         corners: network.corners.len(),
     })
 }
 
+/// What is wrong as read: how many, and of what.
+fn defects(c: &Counts) -> Vec<String> {
+    [
+        ("edges of more than 2 triangles", c.non_manifold_edges),
+        ("vertices that are not manifold", c.non_manifold_vertices),
+        ("edges of inconsistent orientation", c.inconsistent_edges),
+        ("triangles without area", c.zero_area),
+        ("repeated triangles", c.repeated),
+        ("triangles with a bad index", c.bad_index),
+        ("coordinates that are not finite", c.not_finite),
+    ]
+    .into_iter()
+    .filter(|(_, count)| *count > 0)
+    .map(|(name, count)| format!("{count} {name}"))
+    .collect()
+}
+
+/// What matters, in at most ten lines.
+fn summary(inspected: &Inspected) -> Table {
+    let (mut table, c) = (Table::default(), &inspected.counts);
+    table.row("file", format!("{} (-v shows all figures)", inspected.input));
+    table.row("as read", format!("{} vertices, {} triangles", c.vertices, c.triangles));
+    let defects = defects(c);
+    let told = match defects.as_slice() {
+        [] => format!("{}: none", Verdict::Good),
+        [only] => only.clone(),
+        [first, others @ ..] => format!("{first}, and {} other kinds", others.len()),
+    };
+    let verdict = if inspected.cleaned.is_some() { Verdict::Fair } else { Verdict::Poor };
+    table.row("defects", if defects.is_empty() { told } else { format!("{verdict}: {told}") });
+    if let Some(s) = &inspected.cleaned {
+        let repaired = format!("{} vertices, {} triangles", s.vertices, s.triangles);
+        table.row_if("after repair", (!defects.is_empty()).then_some(repaired));
+        table.row("surface", surface_words(s.components, s.boundary_loops, Some(s.genus)));
+        table.row("size", format!("diagonal {:.6}, area {:.6}", s.diagonal, s.area));
+        s.shape.summary(&mut table);
+        let Features { sharp_length, border_length, .. } = s.features;
+        table.row(
+            "sharp edges",
+            if sharp_length > 0.0 { format!("length {sharp_length:.6}") } else { "none that stand out".into() },
+        );
+        table.row_if("open borders", (border_length > 0.0).then(|| format!("length {border_length:.6}")));
+    }
+    also_holds_row(&mut table, inspected);
+    table
+}
+
+fn also_holds_row(table: &mut Table, inspected: &Inspected) {
+    table.row_if("also holds", (!inspected.also_holds.is_empty()).then(|| inspected.also_holds.join(", ")));
+}
+
+/// All figures, one line each.
 fn table(inspected: &Inspected) -> Table {
     let (mut table, c) = (Table::default(), &inspected.counts);
     table.row("file", &inspected.input);
@@ -143,16 +201,8 @@ fn table(inspected: &Inspected) -> Table {
     table.row("merged", format!("{} vertices at different positions", c.merged_vertices));
     let genus = c.genus.map_or("unknown".to_owned(), |g| g.to_string());
     table.row("topology", format!("{} components, {} border loops, genus {genus}", c.components, c.boundary_loops));
-    for (name, count) in [
-        ("edges of more than 2 triangles", c.non_manifold_edges),
-        ("vertices that are not manifold", c.non_manifold_vertices),
-        ("edges of inconsistent orientation", c.inconsistent_edges),
-        ("triangles without area", c.zero_area),
-        ("repeated triangles", c.repeated),
-        ("triangles with a bad index", c.bad_index),
-        ("coordinates that are not finite", c.not_finite),
-    ] {
-        table.row_if("defect", (count > 0).then(|| format!("{count} {name}")));
+    for defect in defects(c) {
+        table.row("defect", defect);
     }
     let repairs: Vec<String> = inspected.repairs.iter().map(|(what, n)| format!("{} {n}", what.replace('_', " "))).collect();
     table.row_if("repairs", (!repairs.is_empty()).then(|| repairs.join(", ")));
@@ -166,8 +216,10 @@ fn table(inspected: &Inspected) -> Table {
             "creases",
             format!("length {:.6} in {} arcs with {} corners (borders included)", f.crease_length, f.arcs, f.corners),
         );
+        table.row("sharp edges", format!("length {:.6} that a person sees as sharp", f.sharp_length));
         table.row_if("border", (f.border_length > 0.0).then(|| format!("length {:.6}", f.border_length)));
         s.shape.rows(&mut table);
     }
+    also_holds_row(&mut table, inspected);
     table
 }

@@ -1,8 +1,10 @@
 //! Meshes from files, as they are.
 
-use anyhow::{Context as _, bail};
+use crate::failure::{Failure, Kind};
+use anyhow::Context as _;
 use glam::DVec3;
 use mesh_core::{Soup, TriMesh};
+use mesh_io::Extra;
 use std::path::Path;
 
 /// A mesh that was not cleaned.
@@ -26,12 +28,39 @@ pub(crate) fn raw(path: &Path) -> anyhow::Result<Raw> {
 pub(crate) fn lines(path: &Path) -> anyhow::Result<Vec<[DVec3; 2]>> {
     let (document, name) = (mesh_io::read(path)?, path.display());
     if document.lines.is_empty() {
-        bail!("{name} has no lines; give them as `l` of an obj or as the element `edge` of a ply");
+        let message = format!("{name} has no lines; give them as `l` of an obj or as the element `edge` of a ply");
+        return Err(Failure::new(Kind::Marks, message).into());
     }
     let position = |v: u32| document.soup.positions.get(v as usize).copied();
     let ends = |(i, &[a, b]): (usize, &[u32; 2])| {
         let ends = position(a).zip(position(b)).map(|(a, b)| [a, b]);
-        ends.with_context(|| format!("{name}: line segment {} has an end that is no vertex of the file; correct it", i + 1))
+        let message = || format!("{name}: line segment {} has an end that is no vertex of the file; correct it", i + 1);
+        ends.ok_or_else(|| Failure::new(Kind::Marks, message()).into())
     };
     document.lines.iter().enumerate().map(ends).collect()
+}
+
+/// A warning of what a file holds that its remeshed surface does not have; none where it has all.
+pub(crate) fn lost(extras: &[Extra]) -> Option<String> {
+    let lost: Vec<String> = extras.iter().filter(|extra| extra.is_lost()).map(ToString::to_string).collect();
+    let (last, others) = lost.split_last()?;
+    let is_one = others.is_empty() && last.starts_with("1 ");
+    let listed = if others.is_empty() { last.clone() } else { format!("{} and {last}", others.join(", ")) };
+    Some(format!("{listed} {} not carried over to the result", if is_one { "is" } else { "are" }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_lost_is_told() {
+        assert_eq!(lost(&[Extra::Normals]), None);
+        let told = |extras: &[Extra]| lost(extras).unwrap();
+        assert_eq!(told(&[Extra::Normals, Extra::Materials(1)]), "1 material is not carried over to the result");
+        assert_eq!(
+            told(&[Extra::TextureCoordinates, Extra::Colors, Extra::Materials(2)]),
+            "texture coordinates, colours and 2 materials are not carried over to the result"
+        );
+    }
 }

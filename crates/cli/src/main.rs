@@ -1,34 +1,47 @@
 //! The `semireg` program: see the README for its commands.
 //!
 //! Exit codes: 0 done (and certified), 1 refused or failed with `error: <what, where, what to do>` as the last line on standard
-//! error, 2 wrong usage.
+//! error, 2 wrong usage, 130 cancelled by the user.
 
 mod args;
 mod base;
 mod check;
 mod compare;
+mod failure;
 mod figures;
 mod inspect;
 mod load;
+mod overwrite;
 mod plan;
 mod print;
+mod progress;
 mod remesh;
 mod report;
+mod seconds;
+mod sharp;
 mod stages;
+mod verdict;
 
 use args::{Args, Command};
 use clap::Parser as _;
+use failure::{Failure, Kind};
+use std::io::{self, Write as _};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
 fn main() -> ExitCode {
-    let command = Args::parse().command;
+    let command = match Args::try_parse() {
+        Ok(args) => args.command,
+        Err(e) => return wrong_usage(&e),
+    };
+    let json = command.json();
     match guarded(|| run(command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(e) => {
-            eprintln!("error: {}", one_line(&format!("{e:#}")));
-            ExitCode::FAILURE
+            let failure = Failure::of(e);
+            tell(&failure, json);
+            ExitCode::from(failure.exit_code())
         }
     }
 }
@@ -44,6 +57,25 @@ fn run(command: Command) -> anyhow::Result<()> {
     }
 }
 
+/// Prints what went wrong. That nobody listens is no error: the exit code still tells.
+fn tell(failure: &Failure, json: bool) {
+    if json && !failure.told {
+        print::json(failure).ok();
+    }
+    writeln!(io::stderr(), "error: {failure}").ok();
+}
+
+/// Prints what clap says: help that was asked for, or what is wrong with the command line.
+fn wrong_usage(error: &clap::Error) -> ExitCode {
+    if error.use_stderr() && std::env::args_os().any(|arg| arg == "--json") {
+        let text = error.to_string();
+        let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
+        print::json(&Failure::new(Kind::Usage, format!("{first}; see --help"))).ok();
+    }
+    error.print().ok();
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
 /// Runs with panics turned into errors: a bug of ours must not look like one of the user's, nor print more than its line.
 fn guarded(run: impl FnOnce() -> anyhow::Result<()>) -> anyhow::Result<()> {
     static PANIC: Mutex<String> = Mutex::new(String::new());
@@ -54,12 +86,8 @@ fn guarded(run: impl FnOnce() -> anyhow::Result<()>) -> anyhow::Result<()> {
     }));
     catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| {
         let message = PANIC.lock().map(|m| m.clone()).unwrap_or_default();
-        Err(anyhow::anyhow!("internal error, please report it with the input file: {message}"))
+        Err(Failure::new(Kind::Internal, format!("internal error: {message}; please report it with the input file")).into())
     })
-}
-
-fn one_line(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -68,9 +96,8 @@ mod tests {
 
     #[test]
     fn a_panic_becomes_one_line() {
-        let error = guarded(|| panic!("index 3 of\n2")).unwrap_err();
-        let line = one_line(&error.to_string());
-        assert!(line.starts_with("internal error, please report it with the input file: panicked at"), "{line}");
-        assert!(line.ends_with("index 3 of 2"), "{line}");
+        let line = Failure::of(guarded(|| panic!("index 3 of\n2")).unwrap_err()).to_string();
+        assert!(line.starts_with("internal error: panicked at"), "{line}");
+        assert!(line.ends_with("index 3 of 2; please report it with the input file"), "{line}");
     }
 }

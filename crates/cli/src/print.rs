@@ -1,5 +1,7 @@
 //! Standard output.
 
+use crate::args::Talk;
+use crate::failure::Failure;
 use anyhow::Context as _;
 use serde::Serialize;
 use std::io::{self, ErrorKind, Write as _};
@@ -16,6 +18,45 @@ pub(crate) fn text(text: &str) -> anyhow::Result<()> {
 /// Writes one JSON object to standard output. A figure that is not finite becomes null.
 pub(crate) fn json(value: &impl Serialize) -> anyhow::Result<()> {
     text(&(serde_json::to_string_pretty(value)? + "\n"))
+}
+
+/// Prints a report as the user wants it: as JSON, in full, as a summary, or not at all.
+pub(crate) fn report(
+    talk: Talk,
+    json: &impl Serialize,
+    summary: impl FnOnce() -> Table,
+    full: impl FnOnce() -> Table,
+) -> anyhow::Result<()> {
+    match talk {
+        Talk { json: true, .. } => self::json(json),
+        Talk { quiet: true, .. } => Ok(()),
+        Talk { verbose: true, .. } => full().print(),
+        _ => summary().print(),
+    }
+}
+
+/// The failure after a report that is worth showing all the same. In JSON both are one object.
+pub(crate) fn failed(
+    talk: Talk,
+    json: &impl Serialize,
+    failure: impl Into<anyhow::Error>,
+    summary: impl FnOnce() -> Table,
+    full: impl FnOnce() -> Table,
+) -> anyhow::Error {
+    #[derive(Serialize)]
+    struct Both<'a, T> {
+        #[serde(flatten)]
+        report: &'a T,
+        #[serde(flatten)]
+        failure: &'a Failure,
+    }
+    let mut failure = Failure::of(failure.into());
+    let both = Both { report: json, failure: &failure };
+    if let Err(e) = report(talk, &both, summary, full) {
+        return e;
+    }
+    failure.told = true;
+    failure.into()
 }
 
 /// Lines of a name and what it is, the names in one column.

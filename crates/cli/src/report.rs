@@ -3,9 +3,10 @@
 use crate::figures::Figures;
 use crate::plan::RemeshPlan;
 use crate::print::Table;
+use crate::seconds::Seconds;
 use mesh_core::CleanReport;
-use region_map::BaseCounts;
-use semireg::{FitReport, Remeshed};
+use region_map::CreaseLengths;
+use semireg::{Attempt, BaseCounts, CellCounts, FitReport, Remeshed};
 use serde::{Serialize, Serializer};
 
 /// Everything worth telling. Field names are the contract of `--json`.
@@ -19,6 +20,9 @@ pub(crate) struct Report {
     #[serde(serialize_with = "as_map")]
     repairs: Vec<(&'static str, usize)>,
     warnings: Vec<String>,
+    /// Where the base mesh comes from.
+    way: &'static str,
+    attempts: Vec<Try>,
     base_vertices: BaseVertices,
     levels: Vec<[usize; 2]>,
     cells: Cells,
@@ -26,8 +30,23 @@ pub(crate) struct Report {
     fit: Option<Fit>,
     #[serde(flatten)]
     figures: Figures,
-    #[serde(serialize_with = "as_map")]
-    seconds: Vec<(&'static str, f64)>,
+    pub(crate) seconds: Seconds,
+}
+
+/// One try on the way to the result.
+#[derive(Serialize)]
+pub(crate) struct Try {
+    remedy: String,
+    way: Option<&'static str>,
+    verdict: String,
+    seconds: f64,
+}
+
+impl From<&Attempt> for Try {
+    fn from(attempt: &Attempt) -> Self {
+        let Attempt { remedy, way, verdict, seconds } = attempt;
+        Self { remedy: remedy.to_string(), way: way.map(|w| w.name()), verdict: verdict.to_string(), seconds: *seconds }
+    }
 }
 
 /// What was asked for; null where it was left to us.
@@ -95,22 +114,38 @@ impl From<&BaseCounts> for BaseVertices {
     }
 }
 
-impl From<[usize; 3]> for Cells {
-    fn from([patches, corners, arcs]: [usize; 3]) -> Self {
+impl From<CellCounts> for Cells {
+    fn from(counts: CellCounts) -> Self {
+        let CellCounts { patches, corners, arcs } = counts;
         Self { patches, corners, arcs }
     }
 }
 
-impl From<[f64; 2]> for CreaseLength {
-    fn from(lengths: [f64; 2]) -> Self {
+impl From<CreaseLengths> for CreaseLength {
+    fn from(lengths: CreaseLengths) -> Self {
         // An empty sum is -0.
-        let [kept, minor] = lengths.map(|l| l + 0.0);
+        let [kept, minor] = [lengths.kept, lengths.minor].map(|l| l + 0.0);
         let whole = kept + minor;
         Self { kept, minor, share: (whole > 0.0).then(|| kept / whole) }
     }
 }
 
+impl Try {
+    /// Appends its line.
+    pub(crate) fn row(&self, table: &mut Table) {
+        let Self { remedy, verdict, seconds, .. } = self;
+        table.row("attempt", format!("{remedy}: {verdict} ({seconds:.1} s)"));
+    }
+}
+
 impl BaseVertices {
+    /// How many there are, and why there are not as many as asked.
+    pub(crate) fn words(&self) -> String {
+        let Self { asked, made, reason, .. } = self;
+        let why = if reason.is_empty() { String::new() } else { format!(": {reason}") };
+        if made == asked { format!("{made} vertices") } else { format!("{made} vertices (asked {asked}{why})") }
+    }
+
     /// Appends its line.
     pub(crate) fn row(&self, table: &mut Table) {
         let Self { asked, needed, made, reason } = self;
@@ -127,6 +162,13 @@ impl Cells {
 }
 
 impl CreaseLength {
+    /// Appends the line that matters where there are creases.
+    pub(crate) fn summary(&self, table: &mut Table) {
+        let text = |share: f64| format!("base edges run along {:.0} % of their length, the rest is short or weak", 100.0 * share);
+        let whole = "base edges run along all of them".to_owned();
+        table.row_if("sharp edges", self.share.map(|share| if self.minor > 0.0 { text(share) } else { whole }));
+    }
+
     /// Appends its line where there are creases.
     pub(crate) fn row(&self, table: &mut Table) {
         let Self { kept, minor, share } = self;
@@ -161,26 +203,42 @@ impl Report {
             seed: plan.options.seed,
             repairs: repairs(&report.clean),
             warnings,
+            way: report.way.name(),
+            attempts: report.attempts.iter().map(Try::from).collect(),
             base_vertices: (&report.base).into(),
             levels: certificate.hierarchy.iter().flat_map(|h| &h.levels).map(|l| [l.vertices, l.faces]).collect(),
             cells: report.cells.into(),
-            crease_length: report.crease_length.into(),
+            crease_length: report.crease_lengths.into(),
             fit: report.fit.map(|fit| Fit::new(fit, remeshed.stages.base.cleaned.mesh.diagonal())),
-            figures: Figures::new(&certificate.measures, |t| t.indexed),
-            seconds: report.seconds.0.clone(),
+            figures: Figures::new(&certificate.measures, |t| t.indexed)
+                .with_sharp_edges(&remeshed.stages.base.cleaned.mesh, &remeshed.mesh),
+            seconds: Seconds::new(&report.seconds),
         }
     }
 
-    /// Adds the wall time of something that is not a stage.
-    pub(crate) fn add_seconds(&mut self, what: &'static str, seconds: f64) {
-        self.seconds.push((what, seconds));
+    /// Adds a warning that does not come from the stages.
+    pub(crate) fn add_warning(&mut self, warning: Option<String>) {
+        self.warnings.extend(warning);
     }
 
-    /// The report for people: what matters, one line each.
+    /// What matters, in at most ten lines.
+    pub(crate) fn summary(&self) -> Table {
+        let mut table = Table::default();
+        table.row("certified", format!("{} after {:.1} s (-v shows all figures)", self.output, self.seconds.total()));
+        table.row("base mesh", format!("{}, split {} times", self.base_vertices.words(), self.parameters.levels));
+        self.figures.summary(&mut table);
+        repairs_row(&mut table, &self.repairs);
+        warning_rows(&mut table, &self.warnings);
+        table
+    }
+
+    /// The report for people in full, one line for each figure.
     pub(crate) fn table(&self) -> Table {
         let mut table = Table::default();
         table.row("certified", &self.output);
         self.base_vertices.row(&mut table);
+        table.row("way", self.way);
+        self.attempts.iter().for_each(|attempt| attempt.row(&mut table));
         if let Some(fit) = &self.fit {
             fit.row(&mut table);
         }
@@ -190,20 +248,31 @@ impl Report {
     }
 }
 
+/// Appends the repairs that were made, in one line.
+pub(crate) fn repairs_row(table: &mut Table, repairs: &[(&'static str, usize)]) {
+    let made = repairs.iter().filter(|(_, n)| *n > 0).map(|(what, n)| format!("{} {n}", what.replace('_', " ")));
+    let made: Vec<String> = made.collect();
+    table.row_if("repairs", (!made.is_empty()).then(|| made.join(", ")));
+}
+
+/// Appends the warnings in at most two lines.
+pub(crate) fn warning_rows(table: &mut Table, warnings: &[String]) {
+    match warnings {
+        [first, _, _, ..] => {
+            table.row("warning", first);
+            table.row("warning", format!("and {} more (-v shows them)", warnings.len() - 1));
+        }
+        few => few.iter().for_each(|warning| table.row("warning", warning)),
+    }
+}
+
 /// Appends what happened on the way.
-pub(crate) fn course_rows(
-    table: &mut Table,
-    repairs: &[(&'static str, usize)],
-    warnings: &[String],
-    seconds: &[(&'static str, f64)],
-) {
-    let list = |pairs: Vec<String>| (!pairs.is_empty()).then(|| pairs.join(", "));
-    let repaired = repairs.iter().filter(|(_, n)| *n > 0).map(|(what, n)| format!("{} {n}", what.replace('_', " ")));
-    table.row_if("repairs", list(repaired.collect()));
+pub(crate) fn course_rows(table: &mut Table, repairs: &[(&'static str, usize)], warnings: &[String], seconds: &Seconds) {
+    repairs_row(table, repairs);
     for warning in warnings {
         table.row("warning", warning);
     }
-    table.row_if("seconds", list(seconds.iter().map(|(what, s)| format!("{what} {s:.2}")).collect()));
+    seconds.row(table);
 }
 
 /// How often each repair was made. The names are those of the JSON.

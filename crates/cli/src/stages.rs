@@ -2,11 +2,11 @@
 
 use anyhow::Context as _;
 use glam::DVec2;
-use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, Topology, TriMesh, VertexId, aspect_ratio};
+use mesh_core::{FaceId, Id as _, IdVec, SurfaceIndex, TriMesh, VertexId, aspect_ratio};
 use region_map::{ArcKind, BaseMap, Network};
 use semireg::{BaseStages, Patches, Remeshed};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use view::{Line, Point, Rgb, Scene, ViewOptions, distance_color, palette, quality_color, render, valence_color};
 
 const RED: Rgb = [200, 20, 30];
@@ -25,6 +25,20 @@ const MAX_FACES_WITH_EDGES: usize = 30_000;
 /// How much of the side of its cell a chart fills.
 const CHART_SHARE: f64 = 0.95;
 
+/// Names of the pictures up to the base mesh.
+const BASE_NAMES: [&str; 5] = ["01-input", "02-features", "03-patches", "04-sites", "05-base"];
+/// Names of the pictures after it.
+const RESULT_NAMES: [&str; 4] = ["06-subdivided", "07-projected", "08-result", "09-distance"];
+/// The charts of the base mesh.
+const CHARTS: &str = "05-charts.svg";
+
+/// Every file that [`write_base`] may write into a folder, or [`write()`] with the result.
+pub(crate) fn files(folder: &Path, with_result: bool) -> Vec<PathBuf> {
+    let results = if with_result { &RESULT_NAMES[..] } else { &[] };
+    let names = BASE_NAMES.iter().chain(results).flat_map(|name| [format!("{name}.png"), format!("{name}.ply")]);
+    names.chain([CHARTS.to_owned()]).map(|name| folder.join(name)).collect()
+}
+
 /// Writes `01-input.png`, `01-input.ply` and so on into a folder that exists.
 pub(crate) fn write(folder: &Path, remeshed: &Remeshed) -> anyhow::Result<()> {
     let stages = &remeshed.stages;
@@ -42,13 +56,13 @@ pub(crate) fn write(folder: &Path, remeshed: &Remeshed) -> anyhow::Result<()> {
 /// and charts are those of the paper's way, where it led to a base mesh, even if another one was the better.
 pub(crate) fn write_base(folder: &Path, base: &BaseStages) -> anyhow::Result<()> {
     save_all(folder, &[("01-input", input(base)), ("02-features", features(base)), ("05-base", base_mesh(base))])?;
-    let mut map = &base.base.map;
     if let Some(made) = &base.patches {
         save_all(folder, &[("03-patches", patches(base, made)), ("04-sites", sites(base, made))])?;
-        map = &made.base.map;
     }
-    let svg = folder.join("05-charts.svg");
-    fs::write(&svg, charts(map).to_svg()).with_context(|| format!("cannot write {}", svg.display()))
+    let of_patches = base.patches.as_ref().map(|made| &made.base);
+    let Some(mapped) = of_patches.or(base.base.mapped()) else { return Ok(()) };
+    let svg = folder.join(CHARTS);
+    fs::write(&svg, charts(&mapped.map).to_svg()).with_context(|| format!("cannot write {}", svg.display()))
 }
 
 fn save_all(folder: &Path, pictures: &[(&str, Scene)]) -> anyhow::Result<()> {
@@ -78,7 +92,7 @@ fn input(base: &BaseStages) -> Scene<'_> {
 
 /// Arcs by their kind, minor creases thin, corners as dots, sheets in colours.
 fn features(base: &BaseStages) -> Scene<'_> {
-    let (mesh, network) = (&base.working.mesh, &base.network);
+    let (mesh, network) = (base.surface.mesh(), base.surface.network());
     let colors = network.sheet_of_face.iter().map(|s| pale(palette(s.index()))).collect();
     let minor = network.minor.iter().flat_map(|chain| along(mesh, chain, ORANGE, THIN));
     let lines = minor.chain(arcs(mesh, network)).collect();
@@ -100,16 +114,16 @@ fn arc_color(kind: ArcKind) -> Rgb {
 
 /// Patches in colours, all their arcs.
 fn patches<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
-    let mesh = &base.working.mesh;
+    let mesh = base.surface.mesh();
     let colors = made.segmentation.patch_of_face.iter().map(|p| palette(p.index())).collect();
     let smooth = made.cells.arcs.iter().filter(|arc| arc.on.is_none());
-    let lines = smooth.flat_map(|arc| along(mesh, &arc.vertices, DARK, THIN)).chain(arcs(mesh, &base.network)).collect();
+    let lines = smooth.flat_map(|arc| along(mesh, &arc.vertices, DARK, THIN)).chain(arcs(mesh, base.surface.network())).collect();
     Scene { face_colors: Some(colors), lines, ..Scene::new(mesh) }
 }
 
 /// Sites at corners (dark), on arcs (red) and in patches (blue).
 fn sites<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
-    let (mesh, cells) = (&base.working.mesh, &made.cells);
+    let (mesh, cells) = (base.surface.mesh(), &made.cells);
     let mut scene = patches(base, made);
     scene.face_colors = scene.face_colors.map(|colors| colors.iter().map(|&c| pale(c)).collect());
     scene.points.extend(cells.corners.iter().map(|&v| dot(mesh, v, DARK)));
@@ -124,15 +138,14 @@ fn sites<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
 
 /// Every vertex by its valence, a face by that of its corner farthest from 6, and the edges on arcs.
 fn base_mesh(base: &BaseStages) -> Scene<'_> {
-    let mesh = &base.base.mesh;
+    let mesh = base.base.mesh();
     let mut valence = IdVec::<VertexId, usize>::filled(0, mesh.n_vertices());
     let mut on_border = IdVec::<VertexId, bool>::filled(false, mesh.n_vertices());
-    if let Ok(topology) = Topology::new(mesh.faces(), mesh.n_vertices()) {
-        for e in topology.edge_ids() {
-            for end in topology.ends(e) {
-                valence[end] += 1;
-                on_border[end] |= topology.is_border_edge(e);
-            }
+    let topology = &base.base.domain().topology;
+    for e in topology.edge_ids() {
+        for end in topology.ends(e) {
+            valence[end] += 1;
+            on_border[end] |= topology.is_border_edge(e);
         }
     }
     // At the border 4 is regular.
@@ -140,8 +153,9 @@ fn base_mesh(base: &BaseStages) -> Scene<'_> {
     let farthest = |f: &[VertexId; 3]| f.map(inner_valence).into_iter().max_by_key(|n| n.abs_diff(6)).unwrap_or(6);
     let colors = mesh.faces().iter().map(|f| pale(valence_color(farthest(f)))).collect();
     let points = mesh.positions().ids().map(|v| dot(mesh, v, valence_color(inner_valence(v)))).collect();
-    let spans = base.base.region.spans.iter();
-    let lines = spans.map(|(&ends, span)| line(mesh, ends, arc_color(base.network.arcs[span.arc].kind), THICK)).collect();
+    let arcs = &base.surface.network().arcs;
+    let spans = base.base.domain().region.spans.iter();
+    let lines = spans.map(|(&ends, span)| line(mesh, ends, arc_color(arcs[span.arc].kind), THICK)).collect();
     Scene { mesh, face_colors: Some(colors), lines, points }
 }
 
@@ -173,13 +187,13 @@ fn by_quality(mesh: &TriMesh) -> Scene<'_> {
 fn result(remeshed: &Remeshed) -> Scene<'_> {
     let mesh = &remeshed.mesh;
     let mut scene = by_quality(mesh);
-    let base_edges = sides_of_base(remeshed.stages.base.base.mesh.n_faces(), remeshed.report.certificate.levels);
+    let base_edges = sides_of_base(remeshed.stages.base.base.mesh().n_faces(), remeshed.report.certificate.levels);
     let ends = |(face, side): (usize, usize)| {
         let corners = mesh.face(FaceId::new(face));
         [corners[side], corners[(side + 1) % 3]]
     };
     scene.lines.extend(base_edges.into_iter().map(|side| line(mesh, ends(side), DARK, MEDIUM)));
-    let arcs = &remeshed.stages.network.arcs;
+    let arcs = &remeshed.stages.surface.network().arcs;
     let spans = remeshed.stages.region.spans.iter();
     scene.lines.extend(spans.map(|(&ends, span)| line(mesh, ends, arc_color(arcs[span.arc].kind), THICK)));
     scene
@@ -224,7 +238,15 @@ fn dot(mesh: &TriMesh, v: VertexId, color: Rgb) -> Point {
 
 #[cfg(test)]
 mod tests {
-    use super::sides_of_base;
+    use super::{files, sides_of_base};
+    use std::path::Path;
+
+    #[test]
+    fn every_stage_has_two_files_and_the_charts_one() {
+        let all = files(Path::new("a"), true);
+        assert_eq!((all.len(), files(Path::new("a"), false).len()), (19, 11));
+        assert!(all.contains(&"a/08-result.png".into()) && all.contains(&"a/05-charts.svg".into()));
+    }
 
     #[test]
     fn sides_double_with_every_level_and_stay_in_their_base_face() {

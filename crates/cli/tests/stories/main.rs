@@ -1,12 +1,15 @@
 //! The program as a user meets it: every test is a story of commands and what comes of them.
 
 mod base;
+mod failures;
+mod progress;
 mod remesh;
+mod summaries;
 mod tools;
 mod trouble;
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
 /// A folder of its own for every story.
@@ -49,11 +52,24 @@ impl Story {
 
     /// Runs `semireg` in the folder; arguments are split at spaces, and `@name` is a fixture.
     fn run(&self, line: &str) -> Ended {
-        let fixture = |word: &str| word.strip_prefix('@').map_or(word.into(), |name| fixtures().join(name));
-        let mut command = Command::new(env!("CARGO_BIN_EXE_semireg"));
-        let output = command.args(line.split(' ').map(fixture)).current_dir(self.folder.path()).output().expect("semireg starts");
+        let output = self.command(line).output().expect("semireg starts");
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
         Ended { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }
+    }
+
+    fn command(&self, line: &str) -> Command {
+        let fixture = |word: &str| word.strip_prefix('@').map_or(word.into(), |name| fixtures().join(name));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_semireg"));
+        command.args(line.split(' ').map(fixture)).current_dir(self.folder.path());
+        command
+    }
+
+    /// Runs a command whose output nobody reads; its exit code.
+    fn unread(&self, line: &str) -> Option<i32> {
+        let mut command = self.command(line);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("semireg starts");
+        drop((child.stdout.take(), child.stderr.take()));
+        child.wait().expect("semireg ends").code()
     }
 
     /// Runs a command that must succeed and say nothing on standard error.
@@ -61,6 +77,13 @@ impl Story {
         let ended = self.run(line);
         assert_eq!((ended.code, ended.stderr.as_str()), (Some(0), ""), "semireg {line}");
         ended.stdout
+    }
+
+    /// Runs a command that must succeed, with all figures; what it says of its stages goes to standard error.
+    fn verbose(&self, line: &str) -> Ended {
+        let ended = self.run(&format!("{line} --verbose"));
+        assert_eq!(ended.code, Some(0), "semireg {line}: {}", ended.stderr);
+        ended
     }
 
     /// Runs a command that must end with 1 and one error line that holds `part`.

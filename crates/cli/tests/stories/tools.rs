@@ -36,7 +36,7 @@ fn inspect_shows_defects_and_their_repair() {
     }
     assert_eq!(book["counts"]["genus"], serde_json::Value::Null);
     assert_eq!(book["repairs"]["bad_index"], 1);
-    assert!(story.done("inspect book.obj").contains("1 triangles with a bad index"));
+    assert!(story.done("inspect book.obj -v").contains("1 triangles with a bad index"));
     story.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     let ended = story.refused("inspect line.obj", "no face is left");
     assert!(ended.stdout.contains("1 triangles without area"), "the counts are still shown");

@@ -48,7 +48,7 @@ fn bad_input_is_refused_and_leaves_nothing() {
         ("short.stl", "short.stl"),
         ("text.txt", "the extension names no mesh format"),
     ] {
-        let ended = story.refused(&format!("remesh {input} -o out.obj --json"), part);
+        let ended = story.refused(&format!("remesh {input} -o out.obj"), part);
         assert_eq!(ended.stdout, "", "{input}");
     }
     assert_eq!(story.files(), before);

@@ -1,0 +1,241 @@
+//! The sharp edges that a person sees, and how much of their length a remeshed surface keeps.
+//!
+//! Many edges over 40 degrees are none that anybody would call sharp: the noise of a scan, or the horn of a cow in large triangles. An edge
+//! is seen as sharp when the surface also turns between points at some distance on both sides of it, and when it goes on for a while.
+
+use certify::{ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES};
+use glam::DVec3;
+use mesh_core::{FaceId, Id as _, SurfaceIndex, TriMesh, VertexId};
+use rayon::prelude::*;
+
+/// How far from an edge the surface is looked at, in mean edge lengths of the remeshed surface: what it can tell from a round edge.
+const REACH: f64 = 0.75;
+/// Bounds of that distance, in diagonals: what a person can tell from a round edge in a picture of the whole.
+const LEAST_REACH: f64 = 0.002;
+const GREATEST_REACH: f64 = 0.01;
+/// Between both sides the surface turns by more than this, in degrees.
+const LEAST_TURN: f64 = 30.0;
+/// Connected sharp edges are at least this long, in diagonals.
+const LEAST_LENGTH: f64 = 0.02;
+/// A point is kept when a crease of the remeshed surface is nearer than this, in diagonals.
+const NEAR: f64 = 2e-3;
+/// Points on all sharp edges.
+const SAMPLES: usize = 20_000;
+
+/// What is kept of sharp edges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Kept {
+    /// The share of their length that has a crease of the remeshed surface beside it.
+    pub(crate) share: f64,
+    /// Their length in the original, in diagonals.
+    pub(crate) length: f64,
+}
+
+/// A cylinder has sharp edges of 3.6 diagonals, a cube of 7, a cow of 1 where its ears and legs begin.
+const FEW: f64 = 1.5;
+
+impl Kept {
+    /// Whether they are so short that they do not make the shape.
+    pub(crate) fn are_few(self) -> bool {
+        self.length < FEW
+    }
+}
+
+/// What a remeshed surface keeps of the original's sharp edges; `None` without any. Both are connected by index.
+pub(crate) fn kept(original: &TriMesh, remeshed: &TriMesh) -> Option<Kept> {
+    let diagonal = original.diagonal();
+    let seen = seen(original, reach(diagonal, remeshed), LEAST_LENGTH * diagonal);
+    let (points, length) = (points_along(&seen), total_length(&seen) / diagonal);
+    if points.is_empty() {
+        return None;
+    }
+    let creases = creases(remeshed, REMESHED_CREASE_DEGREES);
+    let Some(index) = segment_index(&creases.iter().map(|c| c.segment(remeshed)).collect::<Vec<_>>()) else {
+        return Some(Kept { share: 0.0, length });
+    };
+    let near = |p: &&DVec3| index.closest(**p).is_some_and(|c| c.distance < NEAR * diagonal);
+    Some(Kept { share: points.par_iter().filter(near).count() as f64 / points.len() as f64, length })
+}
+
+/// The length of the edges that a person sees as sharp, connected by index.
+pub(crate) fn length(mesh: &TriMesh) -> f64 {
+    let reach = reach(mesh.diagonal(), mesh);
+    total_length(&seen(mesh, reach, LEAST_LENGTH * mesh.diagonal()))
+}
+
+fn total_length(segments: &[[DVec3; 2]]) -> f64 {
+    segments.iter().map(|[a, b]| a.distance(*b)).sum()
+}
+
+/// How far from an edge to look, for a remeshed surface with the resolution of `mesh`.
+fn reach(diagonal: f64, mesh: &TriMesh) -> f64 {
+    (REACH * mean_edge(mesh)).clamp(LEAST_REACH * diagonal, GREATEST_REACH * diagonal)
+}
+
+/// The mean length of the edges, those of the border half as much as others; 0 without faces.
+pub(crate) fn mean_edge(mesh: &TriMesh) -> f64 {
+    let sides = mesh.faces().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sum: f64 = sides.map(|[a, b]| mesh.distance(a, b)).sum();
+    sum / (3 * mesh.n_faces()).max(1) as f64
+}
+
+/// An edge of two faces.
+struct Crease {
+    ends: [VertexId; 2],
+    faces: [FaceId; 2],
+}
+
+impl Crease {
+    fn segment(&self, mesh: &TriMesh) -> [DVec3; 2] {
+        self.ends.map(|v| mesh.position(v))
+    }
+}
+
+/// The edges of two faces whose angle is greater, whichever way the faces look.
+fn creases(mesh: &TriMesh, degrees: f64) -> Vec<Crease> {
+    let mut sides = Vec::with_capacity(3 * mesh.n_faces());
+    for (face, corners) in mesh.faces().enumerate() {
+        for i in 0..3 {
+            let (a, b) = (corners[i], corners[(i + 1) % 3]);
+            sides.push((a.min(b), a.max(b), face, a < b));
+        }
+    }
+    sides.sort_unstable();
+    let mut creases = Vec::new();
+    for edge in sides.chunk_by(|s, t| (s.0, s.1) == (t.0, t.1)) {
+        let [(a, b, f, forward), (.., g, other_forward)] = *edge else { continue };
+        let cosine = mesh.normal(f).dot(mesh.normal(g)) * if forward == other_forward { -1.0 } else { 1.0 };
+        if cosine.clamp(-1.0, 1.0).acos().to_degrees() > degrees {
+            creases.push(Crease { ends: [a, b], faces: [f, g] });
+        }
+    }
+    creases
+}
+
+/// The segments of the edges that a person sees as sharp.
+fn seen(mesh: &TriMesh, reach: f64, least_length: f64) -> Vec<[DVec3; 2]> {
+    let mut creases = creases(mesh, ORIGINAL_CREASE_DEGREES);
+    if creases.is_empty() {
+        return Vec::new();
+    }
+    let index = SurfaceIndex::new(mesh);
+    let turns = |crease: &Crease| {
+        let [one, other] = crease.faces.map(|face| normal_beside(mesh, &index, crease, face, reach));
+        one.dot(other) < LEAST_TURN.to_radians().cos()
+    };
+    let turning: Vec<bool> = creases.par_iter().map(turns).collect();
+    let mut turning = turning.into_iter();
+    creases.retain(|_| turning.next() == Some(true));
+    let run_of = runs(&creases, mesh.n_vertices());
+    let mut length = vec![0.0; mesh.n_vertices()];
+    for crease in &creases {
+        length[run_of[crease.ends[0].index()]] += mesh.distance(crease.ends[0], crease.ends[1]);
+    }
+    creases.retain(|crease| length[run_of[crease.ends[0].index()]] >= least_length);
+    creases.iter().map(|crease| crease.segment(mesh)).collect()
+}
+
+/// The mean normal of the surface at some distance from an edge, on the side of one of its faces.
+fn normal_beside(mesh: &TriMesh, index: &SurfaceIndex, crease: &Crease, face: FaceId, reach: f64) -> DVec3 {
+    let [from, to] = crease.segment(mesh);
+    let (middle, along) = (from.midpoint(to), (to - from).normalize_or_zero());
+    let across = mesh.normal(face).cross(along);
+    let away = if (mesh.centroid(face) - middle).dot(across) < 0.0 { -across } else { across };
+    let mut sum = DVec3::ZERO;
+    for a in [0.5, 1.0, 1.5] {
+        for b in [-0.5, 0.0, 0.5] {
+            let nearest = index.closest(middle + reach * (a * away + b * along));
+            sum += nearest.map_or(DVec3::ZERO, |c| mesh.normal(c.face));
+        }
+    }
+    sum.normalize_or_zero()
+}
+
+/// For every vertex one that stands for all that it is joined with by creases.
+fn runs(creases: &[Crease], n_vertices: usize) -> Vec<usize> {
+    fn root(parent: &mut [usize], mut v: usize) -> usize {
+        while parent[v] != v {
+            parent[v] = parent[parent[v]];
+            v = parent[v];
+        }
+        v
+    }
+    let mut parent: Vec<usize> = (0..n_vertices).collect();
+    for crease in creases {
+        let [a, b] = crease.ends.map(|v| root(&mut parent, v.index()));
+        parent[a.max(b)] = a.min(b);
+    }
+    (0..n_vertices).map(|v| root(&mut parent, v)).collect()
+}
+
+/// Points at equal distances along all segments.
+fn points_along(segments: &[[DVec3; 2]]) -> Vec<DVec3> {
+    let step = total_length(segments) / SAMPLES as f64;
+    let (mut points, mut next) = (Vec::new(), 0.5 * step);
+    for &[a, b] in segments {
+        let length = a.distance(b);
+        while next < length && length > 0.0 {
+            points.push(a.lerp(b, next / length));
+            next += step;
+        }
+        next -= length;
+    }
+    points
+}
+
+/// Segments as triangles without area, which a surface index takes as what they are; `None` without segments.
+fn segment_index(segments: &[[DVec3; 2]]) -> Option<SurfaceIndex> {
+    let positions = segments.iter().flat_map(|&[a, b]| [a, b, b]).collect();
+    let faces = (0..segments.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = TriMesh::new(positions, faces).ok()?;
+    (!segments.is_empty()).then(|| SurfaceIndex::new(&mesh))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A strip of `n` x `n` squares of side 1 over `height(x)`.
+    fn strip(n: usize, height: impl Fn(f64, f64) -> f64) -> TriMesh {
+        let at = |i: usize| ((i % (n + 1)) as f64, (i / (n + 1)) as f64);
+        let positions = (0..(n + 1) * (n + 1)).map(at).map(|(x, y)| DVec3::new(x, y, height(x, y))).collect();
+        let corner = |x: usize, y: usize| (y * (n + 1) + x) as u32;
+        let squares = (0..n * n).map(|i| (i % n, i / n));
+        let split = |(x, y): (usize, usize)| {
+            let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+            [[a, b, c], [a, c, d]]
+        };
+        TriMesh::new(positions, squares.flat_map(split).collect()).unwrap()
+    }
+
+    fn roof(x: f64) -> f64 {
+        -(x - 10.0).abs()
+    }
+
+    #[test]
+    fn the_ridge_of_a_roof_is_seen_and_kept() {
+        let mesh = strip(20, |x, _| roof(x));
+        let seen = seen(&mesh, 0.3, 1.0);
+        assert_eq!(seen.len(), 20);
+        assert!(seen.iter().flatten().all(|p| p.x == 10.0));
+        let share = |remeshed: &TriMesh| kept(&mesh, remeshed).unwrap().share;
+        assert_eq!(share(&mesh), 1.0);
+        assert!((kept(&mesh, &mesh).unwrap().length * mesh.diagonal() - 20.0).abs() < 1e-9);
+        // A flat surface keeps nothing, one with half of the ridge half of it.
+        assert_eq!(share(&strip(20, |_, _| 0.0)), 0.0);
+        let half = share(&strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 }));
+        assert!((half - 0.5).abs() < 0.05, "{half}");
+    }
+
+    #[test]
+    fn noise_and_crumbs_are_not_seen() {
+        // Every square bends by more than 40 degrees somewhere, but never the surface as a whole.
+        let noise = |x: f64, y: f64| if (x + 2.0 * y) % 3.0 == 0.0 { 0.5 } else { 0.0 };
+        let rough = strip(100, noise);
+        assert!(creases(&rough, ORIGINAL_CREASE_DEGREES).len() > 1000);
+        assert_eq!(kept(&rough, &rough), None);
+        let crumb = strip(100, |x, y| if y == 50.0 && (x == 50.0 || x == 51.0) { 0.9 } else { 0.0 });
+        assert!(!creases(&crumb, ORIGINAL_CREASE_DEGREES).is_empty());
+        assert_eq!(seen(&crumb, 1.0, 10.0).len(), 0);
+    }
+}
