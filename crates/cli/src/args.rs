@@ -1,6 +1,7 @@
 //! The command line as the user types it.
 
 use clap::{Parser, Subcommand};
+use semireg::Options;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -36,7 +37,7 @@ pub(crate) struct RemeshArgs {
     #[arg(short, long)]
     pub(crate) output: PathBuf,
     /// How often every base triangle is split in four
-    #[arg(long, value_name = "L", default_value_t = 3, value_parser = levels, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
     #[arg(long)]
@@ -72,7 +73,8 @@ pub(crate) struct StagesArgs {
 pub(crate) struct SourceArgs {
     /// The mesh to remesh: obj, ply, stl, off, gltf or glb, also compressed (.gz)
     pub(crate) input: PathBuf,
-    /// Wanted number of base vertices [default: 1.6 % of the input's, between 100 and 2000]
+    /// Wanted number of base vertices [default: three times what corners and curves need, at least 500 and 1.6 % of the input's, at
+    /// most 2000]
     #[arg(long, value_name = "N", value_parser = base_vertices, allow_negative_numbers = true)]
     pub(crate) base_vertices: Option<u32>,
     /// An edge with at least this angle between its faces, in degrees, is a crease [default: 40]
@@ -134,7 +136,7 @@ pub(crate) struct CheckArgs {
     /// A mesh in a format that keeps the order of vertices: any but stl
     pub(crate) file: PathBuf,
     /// Subdivision levels that it shall have
-    #[arg(long, value_name = "L", default_value_t = 3, value_parser = levels, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Triangles without area are told, but no fault: for a base mesh, which is judged by its connectivity
     #[arg(long)]

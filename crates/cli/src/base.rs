@@ -5,7 +5,8 @@ use crate::load;
 use crate::plan::BasePlan;
 use crate::print::{self, Table};
 use crate::progress::Meter;
-use crate::report::{BaseVertices, Cells, CreaseLength, Try, as_map, course_rows, repairs, repairs_row, warning_rows};
+use crate::repairs::Repairs;
+use crate::report::{BaseVertices, Cells, CreaseLength, Try, course_rows, warning_rows};
 use crate::seconds::Seconds;
 use crate::stages;
 use anyhow::Context as _;
@@ -49,8 +50,7 @@ struct BaseReport {
     input: String,
     output: Option<String>,
     seed: u64,
-    #[serde(serialize_with = "as_map")]
-    repairs: Vec<(&'static str, usize)>,
+    repairs: Repairs,
     warnings: Vec<String>,
     /// Where the base mesh comes from.
     way: &'static str,
@@ -77,7 +77,7 @@ impl BaseReport {
             input: plan.input.display().to_string(),
             output: target.map(|path| path.display().to_string()),
             seed: plan.options.seed,
-            repairs: repairs(&stages.cleaned.report),
+            repairs: Repairs::new(&stages.cleaned.report),
             warnings: stages.warnings.clone(),
             way: stages.way.name(),
             attempts: based.attempts.iter().map(Try::from).collect(),
@@ -98,7 +98,7 @@ impl BaseReport {
         table.row("base mesh", self.base_vertices.words());
         self.crease_length.summary(&mut table);
         self.figures.base_summary(&mut table);
-        repairs_row(&mut table, &self.repairs);
+        self.repairs.summary(&mut table);
         warning_rows(&mut table, &self.warnings);
         table
     }

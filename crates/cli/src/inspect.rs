@@ -3,7 +3,7 @@
 use crate::args::InspectArgs;
 use crate::figures::{Shape, surface_words};
 use crate::print::{self, Table};
-use crate::report::repairs;
+use crate::repairs::Repairs;
 use crate::sharp;
 use crate::verdict::Verdict;
 use features::FeatureOptions;
@@ -11,7 +11,6 @@ use mesh_core::{CleanOptions, Cleaned, Inspection};
 use mesh_io::Document;
 use region_map::{ArcKind, CreaseLengths};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 #[derive(Serialize)]
 struct Inspected {
@@ -20,7 +19,7 @@ struct Inspected {
     /// What else the file holds, in words.
     also_holds: Vec<String>,
     /// Repairs that remeshing would begin with.
-    repairs: BTreeMap<&'static str, usize>,
+    repairs: Repairs,
     /// After these repairs; none where nothing is left to work on.
     cleaned: Option<Surface>,
 }
@@ -78,7 +77,7 @@ pub(crate) fn run(args: &InspectArgs) -> anyhow::Result<()> {
         input: args.input.display().to_string(),
         counts: counts(&document, mesh_core::inspect(&document.soup)),
         also_holds: document.extras.iter().map(ToString::to_string).collect(),
-        repairs: cleaned.as_ref().map(|c| repairs(&c.report).into_iter().filter(|(_, n)| *n > 0).collect()).unwrap_or_default(),
+        repairs: cleaned.as_ref().ok().map(|c| Repairs::new(&c.report).only_made()).unwrap_or_default(),
         cleaned: cleaned.as_ref().ok().map(surface).transpose()?,
     };
     let Err(e) = cleaned else {
@@ -204,8 +203,7 @@ fn table(inspected: &Inspected) -> Table {
     for defect in defects(c) {
         table.row("defect", defect);
     }
-    let repairs: Vec<String> = inspected.repairs.iter().map(|(what, n)| format!("{} {n}", what.replace('_', " "))).collect();
-    table.row_if("repairs", (!repairs.is_empty()).then(|| repairs.join(", ")));
+    inspected.repairs.rows(&mut table);
     if let Some(s) = &inspected.cleaned {
         table.row("repaired", format!("{} vertices, {} triangles", s.vertices, s.triangles));
         let Surface { components, boundary_loops, genus, .. } = s;

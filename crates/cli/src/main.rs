@@ -16,6 +16,7 @@ mod plan;
 mod print;
 mod progress;
 mod remesh;
+mod repairs;
 mod report;
 mod seconds;
 mod sharp;

@@ -76,6 +76,12 @@ impl Table {
         }
     }
 
+    /// All lines.
+    #[cfg(test)]
+    pub(crate) fn text(&self) -> &str {
+        &self.0
+    }
+
     /// Writes all lines to standard output.
     pub(crate) fn print(&self) -> anyhow::Result<()> {
         text(&self.0)

@@ -3,11 +3,11 @@
 use crate::figures::Figures;
 use crate::plan::RemeshPlan;
 use crate::print::Table;
+use crate::repairs::Repairs;
 use crate::seconds::Seconds;
-use mesh_core::CleanReport;
 use region_map::CreaseLengths;
 use semireg::{Attempt, BaseCounts, CellCounts, FitReport, Remeshed};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// Everything worth telling. Field names are the contract of `--json`.
 #[derive(Serialize)]
@@ -17,8 +17,7 @@ pub(crate) struct Report {
     output: String,
     parameters: Parameters,
     seed: u64,
-    #[serde(serialize_with = "as_map")]
-    repairs: Vec<(&'static str, usize)>,
+    repairs: Repairs,
     warnings: Vec<String>,
     /// Where the base mesh comes from.
     way: &'static str,
@@ -176,11 +175,6 @@ impl CreaseLength {
     }
 }
 
-/// Pairs as an object that keeps their order.
-pub(crate) fn as_map<T: Serialize, S: Serializer>(pairs: &[(&'static str, T)], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(pairs.iter().map(|(k, v)| (k, v)))
-}
-
 impl Report {
     /// Collects the figures of a run.
     pub(crate) fn new(plan: &RemeshPlan, remeshed: &Remeshed) -> Self {
@@ -201,7 +195,7 @@ impl Report {
                 marked_edges: plan.options.marked_edges.len(),
             },
             seed: plan.options.seed,
-            repairs: repairs(&report.clean),
+            repairs: Repairs::new(&report.clean),
             warnings,
             way: report.way.name(),
             attempts: report.attempts.iter().map(Try::from).collect(),
@@ -225,9 +219,14 @@ impl Report {
     pub(crate) fn summary(&self) -> Table {
         let mut table = Table::default();
         table.row("certified", format!("{} after {:.1} s (-v shows all figures)", self.output, self.seconds.total()));
-        table.row("base mesh", format!("{}, split {} times", self.base_vertices.words(), self.parameters.levels));
+        let split = match self.parameters.levels {
+            0 => "not split".to_owned(),
+            1 => "split once".to_owned(),
+            levels => format!("split {levels} times"),
+        };
+        table.row("base mesh", format!("{}, {split}", self.base_vertices.words()));
         self.figures.summary(&mut table);
-        repairs_row(&mut table, &self.repairs);
+        self.repairs.summary(&mut table);
         warning_rows(&mut table, &self.warnings);
         table
     }
@@ -248,13 +247,6 @@ impl Report {
     }
 }
 
-/// Appends the repairs that were made, in one line.
-pub(crate) fn repairs_row(table: &mut Table, repairs: &[(&'static str, usize)]) {
-    let made = repairs.iter().filter(|(_, n)| *n > 0).map(|(what, n)| format!("{} {n}", what.replace('_', " ")));
-    let made: Vec<String> = made.collect();
-    table.row_if("repairs", (!made.is_empty()).then(|| made.join(", ")));
-}
-
 /// Appends the warnings in at most two lines.
 pub(crate) fn warning_rows(table: &mut Table, warnings: &[String]) {
     match warnings {
@@ -267,53 +259,10 @@ pub(crate) fn warning_rows(table: &mut Table, warnings: &[String]) {
 }
 
 /// Appends what happened on the way.
-pub(crate) fn course_rows(table: &mut Table, repairs: &[(&'static str, usize)], warnings: &[String], seconds: &Seconds) {
-    repairs_row(table, repairs);
+pub(crate) fn course_rows(table: &mut Table, repairs: &Repairs, warnings: &[String], seconds: &Seconds) {
+    repairs.rows(table);
     for warning in warnings {
         table.row("warning", warning);
     }
     seconds.row(table);
-}
-
-/// How often each repair was made. The names are those of the JSON.
-pub(crate) fn repairs(report: &CleanReport) -> Vec<(&'static str, usize)> {
-    // Taken apart, so that the compiler tells when a repair is missing here.
-    let &CleanReport {
-        bad_index,
-        not_finite,
-        merged_exactly,
-        merged_by_tolerance,
-        collapsed,
-        flaps,
-        repeated,
-        turned,
-        orientation_cuts,
-        non_manifold_edges,
-        leaf_cuts,
-        split_edges,
-        vertex_copies,
-        zero_area_flipped,
-        zero_area_dropped,
-        zero_area_opened,
-        unused_vertices,
-    } = report;
-    vec![
-        ("bad_index", bad_index),
-        ("not_finite", not_finite),
-        ("merged_exactly", merged_exactly),
-        ("merged_by_tolerance", merged_by_tolerance),
-        ("collapsed", collapsed),
-        ("flaps", flaps),
-        ("repeated", repeated),
-        ("turned", turned),
-        ("orientation_cuts", orientation_cuts),
-        ("non_manifold_edges", non_manifold_edges),
-        ("leaf_cuts", leaf_cuts),
-        ("split_edges", split_edges),
-        ("vertex_copies", vertex_copies),
-        ("zero_area_flipped", zero_area_flipped),
-        ("zero_area_dropped", zero_area_dropped),
-        ("zero_area_opened", zero_area_opened),
-        ("unused_vertices", unused_vertices),
-    ]
 }
