@@ -11,28 +11,34 @@ use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, Id as _, IdVec, TriMesh, VertexId};
 use region_map::{Attachment, Domain, RegionMap, Surface};
 
-/// Weight of staying at the start, against that of the samples. It decides for vertices with hardly any samples around them.
+/// Weight of staying at the start, against that of the samples. It decides for vertices with hardly any samples around them: with
+/// less they may go anywhere, with more all others stay too far back.
 const HOLD: f64 = 1e-3;
-/// Weight of the triangles' shape in the first round with sliding, and the factor by which it falls from round to round, as long
-/// as the mean quality has not fallen by more than the options allow.
+/// Weight of the triangles' shape in the first round with sliding: less brings the mesh closer, and costs quality.
 ///
 /// Measured with the same weight in three rounds: at .02 the mean quality falls by .001 (rabbit) to .003 (rocker-arm), at .004 by
 /// .002 to .008, at .001 by .007 to .015, but on fandisk by .0002.
 const SHAPE: f64 = 0.02;
+/// The weight of the shape is multiplied by this after a round in which the mean quality has not fallen by more than the options
+/// allow: less may use up the quality in one step, more takes more rounds.
 const SOFTER: f64 = 0.1;
-/// How often a slide that costs too much quality is halved before it is left out.
+/// How often a slide that costs too much quality is halved before it is left out: more saves a part of more slides, and takes time.
 const SHORTER_SLIDES: i32 = 2;
 /// Residuals count by their power 2 minus this: 0 is least squares, 1 is least absolute values. Measured on four models against
 /// 0: with 0.5 the mean error falls by 1 to 4 % and the RMS rises by 0 to 1 %, with 1 it is 2 to 5 % and 2 to 9 %.
 const ROBUSTNESS: f64 = 0.5;
-/// Residuals below this share of the mean distance all have the same weight.
+/// Residuals below this share of the mean distance all have the same weight: less lets samples that are already near decide, more
+/// is closer to least squares.
 const SMALL: f64 = 0.3;
-/// The conjugate gradients end when the residual has fallen to this share of the first one, or after so many iterations.
+/// The conjugate gradients end when the residual has fallen to this share of the first one: less takes time, and the next round
+/// starts from other distances anyway.
 const TOLERANCE: f64 = 1e-2;
+/// They end after so many iterations at the latest: more takes time where the matrix is bad.
 const MOST_ITERATIONS: usize = 40;
 /// A mean distance below this share of the diagonal is rounding.
 const ROUNDING: f64 = 1e-12;
-/// How often vertices are taken back where the greatest distance has grown or a face has turned over, before the fit is given up.
+/// How often vertices are taken back where the greatest distance has grown or a face has turned over, before the fit is given
+/// up: fewer give up more fits.
 const MOST_RETREATS: usize = 12;
 
 /// A domain with its vertices beside the surface.

@@ -6,8 +6,10 @@ use mesh_core::{VertexId, walk};
 use region_map::{Attachment, Domain, RegionMap};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Rings of vertices that are dragged, and rounds of averaging: most snapped vertices move by less than half an edge length.
+/// So many rings of vertices move along: most snapped vertices move by less than half an edge length, so fewer would fold where one
+/// moves farther, and more would move what the relaxation has placed well.
 const RINGS: usize = 4;
+/// Rounds of averaging: more spread the movement more evenly over the rings, and take time.
 const ROUNDS: usize = 12;
 
 /// Moves the vertices inside sheets around those whose points in `region` are not where the domain has them.
