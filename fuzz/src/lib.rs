@@ -22,6 +22,7 @@ pub fn check(bytes: &[u8], format: Format) {
 /// A document's lists agree with each other.
 fn check_document(document: &Document) {
     assert_eq!(document.polygon_of.len(), document.soup.triangles.len());
+    assert!(document.extras.windows(2).all(|pair| pair[0] < pair[1]), "each kind once");
     assert!(document.polygon_of.is_sorted() && document.polygon_of.iter().all(|&p| (p as usize) < document.n_polygons));
 }
 
