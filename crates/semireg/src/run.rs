@@ -113,8 +113,14 @@ mod tests {
     #[test]
     fn stages_side_by_side_share_the_time_that_both_took() {
         let mut run = Run::new(Watch::default());
-        let wait =
-            |stage| move |run: &mut Run| run.stage(stage, || Ok::<_, Error>(std::thread::sleep(Duration::from_millis(30))));
+        let wait = |stage| {
+            move |run: &mut Run| {
+                run.stage(stage, || {
+                    std::thread::sleep(Duration::from_millis(30));
+                    Ok::<_, Error>(())
+                })
+            }
+        };
         let start = Instant::now();
         let (a, b) = run.side_by_side(wait("one"), wait("two"));
         a.and(b).unwrap();

@@ -4,7 +4,7 @@ use crate::base::BaseStages;
 use crate::candidate::Candidate;
 use crate::input::Input;
 use crate::report::SnapCounts;
-use crate::rescue::Hope;
+use crate::rescue::NextStage;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::faulty_faces;
@@ -30,12 +30,12 @@ pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run:
     let origins = base.mapped().map(|base| Origins { base, points: &subdivided.origins });
     let projected = run.stage("project", || project::project(surface, &subdivided.domain, origins, &options.project))?;
     let n_triangles = projected.domain.mesh.n_faces();
-    Hope::BeforeRelaxing.of(relax::inverted(surface, &projected.domain)?.len(), n_triangles)?;
+    NextStage::Relax.is_worth(relax::inverted(surface, &projected.domain)?.len(), n_triangles)?;
     let base_edge_length = equilateral_edge_length(input.cleaned.mesh.total_area(), base.mesh().n_vertices());
     let relaxed = run.stage("relax", || {
         relax::relax_keeping(surface, &projected.domain, &input.cleaned.mesh, base_edge_length, &options.relax)
     })?;
-    Hope::BeforeMending.of(relaxed.inverted.len(), n_triangles)?;
+    NextStage::Mend.is_worth(relaxed.inverted.len(), n_triangles)?;
     let faults = faulty_faces(&input.reference, &relaxed.domain.mesh);
     let candidate = Candidate {
         base: base.clone(),

@@ -7,7 +7,7 @@ use crate::base::{BaseStages, Way};
 use crate::input::Input;
 use crate::remeshed::{Remeshed, Stages};
 use crate::report::Report;
-use crate::rescue::{Hope, mended};
+use crate::rescue::{NextStage, mended};
 use crate::run::{Run, StageSeconds};
 use crate::{Error, Options};
 
@@ -19,10 +19,10 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
         Way::Given => candidate,
         _ => mended(&input.reference, candidate, options, run)?,
     };
-    Hope::BeforeSnapping.of(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
+    NextStage::Snap.is_worth(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
     let mut warnings = stages.warnings.clone();
     let candidate = snapped(&input.reference, candidate, &options.relax, run, &mut warnings);
-    Hope::BeforeFitting.of(candidate.faults.flipped.len(), candidate.n_triangles())?;
+    NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
     let Certified { domain, offsets, fit, certificate } = certified(&input.reference, &candidate, options, run, &mut warnings)?;
     let report = Report {
         clean: input.cleaned.report.clone(),

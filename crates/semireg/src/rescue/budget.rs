@@ -81,27 +81,27 @@ impl Budget {
     }
 }
 
-/// Where a candidate stands when it is asked whether it is worth more time.
+/// The stage that a candidate comes to, and may not be worth.
 #[derive(Clone, Copy)]
-pub(crate) enum Hope {
-    /// Projected, to be relaxed.
-    BeforeRelaxing,
-    /// Relaxed, its places to be mended.
-    BeforeMending,
-    /// Mended, to be snapped.
-    BeforeSnapping,
-    /// Snapped, to be fitted and certified.
-    BeforeFitting,
+pub(crate) enum NextStage {
+    /// The relaxation of the finest level.
+    Relax,
+    /// The mending of single places.
+    Mend,
+    /// Snapping to bends and minor creases.
+    Snap,
+    /// The fit and the certificate.
+    Fit,
 }
 
-impl Hope {
+impl NextStage {
     /// Fails where so many of the triangles are folded that the stages to come can't mend them.
-    pub(crate) fn of(self, folded: usize, triangles: usize) -> Result<(), Error> {
+    pub(crate) fn is_worth(self, folded: usize, triangles: usize) -> Result<(), Error> {
         let bound = match self {
-            Self::BeforeRelaxing => TO_RELAX,
-            Self::BeforeMending => TO_MEND,
-            Self::BeforeSnapping => TO_SNAP,
-            Self::BeforeFitting => TO_FIT,
+            Self::Relax => TO_RELAX,
+            Self::Mend => TO_MEND,
+            Self::Snap => TO_SNAP,
+            Self::Fit => TO_FIT,
         };
         let most = bound.at(triangles);
         if folded as f64 > most * triangles as f64 { Err(Error::Folded { folded, triangles }) } else { Ok(()) }
@@ -115,9 +115,9 @@ mod tests {
     /// A result with fewer folded triangles is never given up where one with more goes on, and no bound jumps with the size.
     #[test]
     fn hope_falls_steadily_with_folds_and_with_size() {
-        for hope in [Hope::BeforeRelaxing, Hope::BeforeMending, Hope::BeforeSnapping, Hope::BeforeFitting] {
+        for stage in [NextStage::Relax, NextStage::Mend, NextStage::Snap, NextStage::Fit] {
             for triangles in [1_000, 20_000, 49_999, 50_000, 50_001, 400_000] {
-                let goes_on: Vec<bool> = (0..triangles / 10).step_by(7).map(|n| hope.of(n, triangles).is_ok()).collect();
+                let goes_on: Vec<bool> = (0..triangles / 10).step_by(7).map(|n| stage.is_worth(n, triangles).is_ok()).collect();
                 assert!(goes_on[0] && goes_on.windows(2).all(|pair| pair[0] >= pair[1]));
             }
         }

@@ -5,6 +5,6 @@ mod places;
 mod plan;
 
 pub use budget::MAX_TRIANGLES;
-pub(crate) use budget::{Budget, Hope};
+pub(crate) use budget::{Budget, NextStage};
 pub(crate) use places::mended;
 pub(crate) use plan::{Loss, PLAN};
