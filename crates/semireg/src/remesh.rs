@@ -1,7 +1,7 @@
 //! The verbs: one loop over the plan, which keeps the best candidate.
 
 use crate::attempt::Remedy;
-use crate::base::{BaseStages, candidates};
+use crate::base::{BaseStages, proposals};
 use crate::best::Best;
 use crate::finish::finished;
 use crate::input::Input;
@@ -78,8 +78,8 @@ fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remes
         if budget.is_spent() {
             break;
         }
-        let bases = match candidates(input, options, setting, needed, &|v, f| budget.admits(v, f), run) {
-            Ok(bases) => bases,
+        let proposed = match proposals(input, options, setting, needed, &|v, f| budget.admits(v, f), run) {
+            Ok(proposed) => proposed,
             Err(e) => {
                 run.record(first_remedy, None, e.verdict(), start);
                 match best.fail(first_remedy, e) {
@@ -88,15 +88,17 @@ fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remes
                 }
             }
         };
-        for (stages, remedy) in bases.into_iter().zip([first_remedy, Remedy::OtherBase]) {
+        for (proposal, remedy) in proposed.into_iter().zip([first_remedy, Remedy::OtherBase]) {
             if budget.is_spent() {
                 break 'plan;
             }
-            needed = needed.max(stages.counts.needed);
-            budget.spend(stages.base.mesh().n_faces());
-            let result = finished(input, &stages, options, run);
+            let BaseStages { way, ref base, ref counts, .. } = *proposal.stages();
+            needed = needed.max(counts.needed);
+            budget.spend(base.mesh().n_faces());
+            let searched = proposal.searched(options, run);
+            let result = searched.and_then(|stages| finished(input, &stages, options, run));
             let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(input, options, remeshed));
-            run.record(remedy, Some(stages.way), verdict.clone(), start);
+            run.record(remedy, Some(way), verdict.clone(), start);
             let next = match result {
                 Ok(remeshed) => best.pass(remedy, verdict, remeshed),
                 Err(e) => best.fail(remedy, e),
@@ -117,9 +119,10 @@ fn first_base(input: &Input, options: &Options, run: &mut Run) -> Result<BaseSta
     let mut best = Best::new();
     for &(remedy, ref setting) in &PLAN {
         let start = Instant::now();
-        let next = match candidates(input, options, setting, 0, &|_, _| Ok(()), run) {
-            Ok(bases) => match bases.into_iter().next() {
-                Some(stages) => best.pass(remedy, Verdict::Certified, stages),
+        let next = match proposals(input, options, setting, 0, &|_, _| Ok(()), run) {
+            Ok(proposed) => match proposed.into_iter().next().map(|first| first.searched(options, run)) {
+                Some(Ok(stages)) => best.pass(remedy, Verdict::Certified, stages),
+                Some(Err(e)) => best.fail(remedy, e),
                 None => ControlFlow::Continue(()),
             },
             Err(e) => {
