@@ -1,7 +1,7 @@
 //! The verbs: one loop over the plan, which keeps the best candidate.
 
 use crate::attempt::Remedy;
-use crate::base::{BaseStages, proposals};
+use crate::base::{BaseStages, Proposal, Setting, proposals};
 use crate::best::Best;
 use crate::finish::finished;
 use crate::input::Input;
@@ -26,7 +26,8 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
 /// The same, with a caller that follows the run and can end it.
 ///
 /// `on_progress` is called on a thread of its own, at the start of each stage and about 20 times a second. When it breaks, the run ends
-/// within a quarter of a second with [`Error::Cancelled`], but for reading in and cleaning, which end by themselves.
+/// within a quarter of a second with [`Error::Cancelled`], but for cleaning and the certificate, which take a second or two
+/// on a million triangles and end by themselves.
 ///
 /// ```
 /// use semireg::{Error, Options, remesh_with};
@@ -69,49 +70,66 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
 /// Tries the settings of the plan, and both base meshes of each, until a result is certified and has lost no part of the input. Of those that
 /// are only certified the best is returned when the plan or the budget is at its end.
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
-    let mut budget = Budget::new(input.asked, options.levels);
-    let (mut best, mut needed) = (Best::new(), 0);
+    let budget = Budget::new(input.asked, options.levels);
+    let mut tries = Tries { input, options, budget, needed: 0, best: Best::new() };
     // A base mesh that is given is the only one.
     let plan = if input.given.is_some() { &PLAN[..1] } else { &PLAN[..] };
-    'plan: for &(first_remedy, ref setting) in plan {
-        let mut start = Instant::now();
-        if budget.is_spent() {
+    for (remedy, setting) in plan {
+        if tries.budget.is_spent() || tries.setting(*remedy, setting, run).is_break() {
             break;
         }
-        let proposed = match proposals(input, options, setting, needed, &|v, f| budget.admits(v, f), run) {
-            Ok(proposed) => proposed,
-            Err(e) => {
-                run.record(first_remedy, None, e.verdict(), start);
-                match best.fail(first_remedy, e) {
-                    ControlFlow::Continue(()) => continue,
-                    ControlFlow::Break(()) => break,
-                }
-            }
-        };
-        for (proposal, remedy) in proposed.into_iter().zip([first_remedy, Remedy::OtherBase]) {
-            if budget.is_spent() {
-                break 'plan;
-            }
-            let BaseStages { way, ref base, ref counts, .. } = *proposal.stages();
-            needed = needed.max(counts.needed);
-            budget.spend(base.mesh().n_faces());
-            let searched = proposal.searched(options, run);
-            let result = searched.and_then(|stages| finished(input, &stages, options, run));
-            let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(input, options, remeshed));
-            run.record(remedy, Some(way), verdict.clone(), start);
-            let next = match result {
-                Ok(remeshed) => best.pass(remedy, verdict, remeshed),
-                Err(e) => best.fail(remedy, e),
-            };
-            if next.is_break() {
-                break 'plan;
-            }
-            start = Instant::now();
-        }
     }
-    let (mut remeshed, warnings) = best.end()?;
+    let (mut remeshed, warnings) = tries.best.end()?;
     remeshed.report.warnings.splice(..0, warnings);
     Ok(remeshed)
+}
+
+/// What is tried, and the best that has come of it.
+struct Tries<'a> {
+    input: &'a Input,
+    options: &'a Options,
+    budget: Budget,
+    /// Base vertices that corners and arcs took so far at most.
+    needed: usize,
+    best: Best<Remeshed>,
+}
+
+impl Tries<'_> {
+    /// Tries the base meshes of a setting, the better rated first. Breaks where nothing more shall be tried.
+    fn setting(&mut self, remedy: Remedy, setting: &Setting, run: &mut Run) -> ControlFlow<()> {
+        let mut start = Instant::now();
+        let admits = |vertices, faces| self.budget.admits(vertices, faces);
+        let proposed = match proposals(self.input, self.options, setting, self.needed, &admits, run) {
+            Ok(proposed) => proposed,
+            Err(e) => {
+                run.record(remedy, None, e.verdict(), start);
+                return self.best.fail(remedy, e);
+            }
+        };
+        for (proposal, remedy) in proposed.into_iter().zip([remedy, Remedy::OtherBase]) {
+            if self.budget.is_spent() {
+                return ControlFlow::Break(());
+            }
+            self.proposal(remedy, proposal, start, run)?;
+            start = Instant::now();
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Tries a base mesh. Breaks where nothing more shall be tried.
+    fn proposal(&mut self, remedy: Remedy, proposal: Proposal, start: Instant, run: &mut Run) -> ControlFlow<()> {
+        let BaseStages { way, ref base, ref counts, .. } = *proposal.stages();
+        self.needed = self.needed.max(counts.needed);
+        self.budget.spend(base.mesh().n_faces());
+        let searched = proposal.searched(self.options, run);
+        let result = searched.and_then(|stages| finished(self.input, &stages, self.options, run));
+        let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, self.options, remeshed));
+        run.record(remedy, Some(way), verdict.clone(), start);
+        match result {
+            Ok(remeshed) => self.best.pass(remedy, verdict, remeshed),
+            Err(e) => self.best.fail(remedy, e),
+        }
+    }
 }
 
 /// Tries the settings of the plan until there is a base mesh.

@@ -12,6 +12,7 @@ mod stages;
 mod way;
 
 pub use patches::Patches;
+pub(crate) use proposal::Proposal;
 pub(crate) use proposals::proposals;
 pub(crate) use setting::Setting;
 pub use stages::{Base, BaseCounts, BaseStages, CellCounts};

@@ -3,7 +3,7 @@
 use super::fitting::{Certified, certified};
 use super::place::{Placed, placed};
 use super::snapping::snapped;
-use crate::base::{BaseStages, Way};
+use crate::base::{Base, BaseStages, Way};
 use crate::input::Input;
 use crate::remeshed::{Remeshed, Stages};
 use crate::report::Report;
@@ -23,7 +23,8 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let mut warnings = stages.warnings.clone();
     let candidate = snapped(&input.reference, candidate, &options.relax, run, &mut warnings);
     NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
-    let Certified { domain, offsets, fit, certificate } = certified(&input.reference, &candidate, options, run, &mut warnings)?;
+    let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
+    let Certified { domain, offsets, fit, certificate } = certified.map_err(|e| on_its_base(e, stages))?;
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -42,4 +43,18 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let base = BaseStages { base: candidate.base, counts: candidate.counts, ..stages.clone() };
     let stages = Stages { base, subdivided, projected, surface: candidate.surface, region: domain.region, offsets };
     Ok(Remeshed { mesh: domain.mesh, report, stages })
+}
+
+/// The error of a result; on a base mesh that was given it asks for another one.
+fn on_its_base(error: Error, stages: &BaseStages) -> Error {
+    match (error, stages.way) {
+        (Error::NotCertified(failure), Way::Given) => {
+            let untraced = match &*stages.base {
+                Base::Unmapped { reason, .. } => format!(" (placed by rays: {reason})"),
+                Base::Mapped(_) => String::new(),
+            };
+            Error::BaseNotCertified { failure, untraced }
+        }
+        (error, _) => error,
+    }
 }
