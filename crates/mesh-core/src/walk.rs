@@ -4,18 +4,11 @@
 //! 1998): only lengths inside faces are used, so turning about an edge is a change of frame and no angle is ever computed but
 //! at vertices. Every face is laid out in the plane with the halfedge in hand along the x axis and the face above it.
 
-use crate::{EdgeId, FaceId, HalfedgeId, Id, SurfacePoint, Topology, TriMesh};
+use crate::layout::{Layout, TOUCH, corner_at};
+use crate::{EdgeId, HalfedgeId, Id, SurfacePoint, Topology, TriMesh};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// Faces are laid out with at least this height, as a share of their longest edge, so that ones without area can be crossed
-/// like all others (as in Sharp and Crane, *A Laplacian for Nonmanifold Triangle Meshes*, 2020, 4.5).
-const LEAST_HEIGHT: f64 = 1e-12;
-/// A point this close to an edge or a vertex, as a share of the edges' lengths, is taken to be on it. Above [`LEAST_HEIGHT`], so
-/// that every point of a face without area is on an edge.
-const TOUCH: f64 = 1e-11;
-/// Edges shorter than this are laid out with this length, so that areas of faces that are one point do not underflow.
-const LEAST_LENGTH: f64 = 1e-100;
 /// A walk that only slides at less than this share of its speed stops: cosine of the angle to the barrier.
 const LEAST_SLIDE: f64 = 1e-9;
 /// A start on an edge leaves its own face at once for one whose plane keeps this share of the way: between the two sides of an
@@ -54,20 +47,25 @@ pub fn walk(
     displacement: DVec3,
     may_cross: impl Fn(EdgeId) -> bool,
 ) -> Walked {
-    if start.face.index() >= topology.n_faces() || topology.n_vertices() > mesh.n_vertices() {
+    let Some(surface) = Faces::new(mesh, topology, start, may_cross) else {
         return Walked { end: start, direction: DVec3::ZERO, stopped: true };
-    }
-    let surface = Faces { mesh, topology, may_cross };
-    let mut walker = surface.set_off(start, displacement);
-    let mut stopped = false;
-    for _ in 0..MOST_STEPS {
-        match surface.step(&walker) {
-            Step::Arrived(end) => return surface.finish(end, stopped),
-            Step::On(next) => walker = next,
-            Step::Slid(next) => (walker, stopped) = (next, true),
-        }
-    }
-    surface.finish(walker, true)
+    };
+    let (walker, stopped) = surface.last(start, displacement);
+    let [x, y] = axes(surface.corners(walker.halfedge));
+    let direction = (walker.way.x * x + walker.way.y * y).normalize_or_zero();
+    Walked { end: walker.point(), direction, stopped }
+}
+
+/// Where a [`walk`] ends, in less time: nothing else is worked out.
+pub fn walk_end(
+    mesh: &TriMesh,
+    topology: &Topology,
+    start: SurfacePoint,
+    displacement: DVec3,
+    may_cross: impl Fn(EdgeId) -> bool,
+) -> SurfacePoint {
+    let surface = Faces::new(mesh, topology, start, may_cross);
+    surface.map_or(start, |surface| surface.last(start, displacement).0.point())
 }
 
 /// A point in the face of `halfedge`, with weights that start at the halfedge's corner, and the way still to go, in the layout
@@ -77,6 +75,25 @@ struct Walker {
     halfedge: HalfedgeId,
     weights: [f64; 3],
     way: DVec2,
+}
+
+impl Walker {
+    /// On its way along a displacement, projected into the plane of a face with these corners.
+    fn heading(halfedge: HalfedgeId, corners: [DVec3; 3], weights: [f64; 3], displacement: DVec3) -> Self {
+        let [x, y] = axes(corners);
+        Self { halfedge, weights, way: DVec2::new(displacement.dot(x), displacement.dot(y)) }
+    }
+
+    /// Where it is.
+    fn point(&self) -> SurfacePoint {
+        let [a, b, c] = self.weights;
+        let barycentric = match self.halfedge.corner() {
+            0 => DVec3::new(a, b, c),
+            1 => DVec3::new(c, a, b),
+            _ => DVec3::new(b, c, a),
+        };
+        SurfacePoint::new(self.halfedge.face(), barycentric)
+    }
 }
 
 enum Step {
@@ -95,7 +112,38 @@ struct Faces<'a, F> {
     may_cross: F,
 }
 
-impl<F: Fn(EdgeId) -> bool> Faces<'_, F> {
+impl<'a, F: Fn(EdgeId) -> bool> Faces<'a, F> {
+    /// `None` where the start is in no face, or the topology has other vertices than the mesh.
+    fn new(mesh: &'a TriMesh, topology: &'a Topology, start: SurfacePoint, may_cross: F) -> Option<Self> {
+        let fits = start.face.index() < topology.n_faces() && topology.n_vertices() <= mesh.n_vertices();
+        fits.then_some(Self { mesh, topology, may_cross })
+    }
+
+    /// The walker at the end of its way, and whether something stopped it.
+    fn last(&self, start: SurfacePoint, displacement: DVec3) -> (Walker, bool) {
+        let displacement = if displacement.is_finite() { displacement } else { DVec3::ZERO };
+        let first = HalfedgeId::of(start.face, 0);
+        let weights = SurfacePoint::new(start.face, start.barycentric).barycentric.to_array();
+        let corners = self.corners(first);
+        let mut layout = Layout::new(corners);
+        let mut walker = Walker::heading(first, corners, weights, displacement);
+        // Inside a face there is no other to set off in.
+        if !layout.is_inside(weights) {
+            walker = self.set_off(walker, &layout, displacement);
+            layout = self.layout(walker.halfedge);
+        }
+        let mut stopped = false;
+        for _ in 0..MOST_STEPS {
+            match self.step(&walker, &layout) {
+                Step::Arrived(end) => return (end, stopped),
+                Step::On(next) => walker = next,
+                Step::Slid(next) => (walker, stopped) = (next, true),
+            }
+            layout = self.layout(walker.halfedge);
+        }
+        (walker, true)
+    }
+
     fn layout(&self, h: HalfedgeId) -> Layout {
         Layout::new(self.corners(h))
     }
@@ -110,9 +158,8 @@ impl<F: Fn(EdgeId) -> bool> Faces<'_, F> {
     }
 
     /// Walks to the border of the face, or to the end.
-    fn step(&self, walker: &Walker) -> Step {
+    fn step(&self, walker: &Walker, layout: &Layout) -> Step {
         let Walker { halfedge, weights, way } = *walker;
-        let layout = self.layout(halfedge);
         let Some((side, share)) = layout.exit(weights, way) else {
             let weights = layout.moved(weights, way);
             return Step::Arrived(Walker { weights, ..*walker });
@@ -195,28 +242,28 @@ impl<F: Fn(EdgeId) -> bool> Faces<'_, F> {
     }
 
     /// The first walker: in the face around the start in which the inward displacement is longest, or else in the start's own
-    /// face, with a way that leads out of it and will be turned over an edge.
-    fn set_off(&self, start: SurfacePoint, displacement: DVec3) -> Walker {
-        let displacement = if displacement.is_finite() { displacement } else { DVec3::ZERO };
-        let first = HalfedgeId::of(start.face, 0);
-        let weights = SurfacePoint::new(start.face, start.barycentric).barycentric.to_array();
-        let own = self.heading(first, weights, displacement);
+    /// face, with a way that leads out of it and will be turned over an edge. `own` is in the start's own face, which has this layout.
+    fn set_off(&self, own: Walker, layout: &Layout, displacement: DVec3) -> Walker {
+        let Walker { halfedge: first, weights, .. } = own;
         let mut best: Option<Walker> = None;
-        let mut consider = |walker: Walker| {
+        let mut consider = |walker: Walker, layout: &Layout| {
             let longer = best.is_none_or(|b| walker.way.length_squared() > b.way.length_squared());
-            if longer && self.layout(walker.halfedge).leads_in(walker.weights, walker.way) {
+            if longer && layout.leads_in(walker.weights, walker.way) {
                 best = Some(walker);
             }
         };
-        consider(own);
-        let layout = self.layout(first);
-        if let Some(corner) = (0..3).find(|&c| weights[c] >= 1.0 - TOUCH) {
-            self.around(turned(first, corner), |h| consider(self.heading(h, [1.0, 0.0, 0.0], displacement)));
+        consider(own, layout);
+        let mut consider_at = |h: HalfedgeId, weights: [f64; 3]| {
+            let corners = self.corners(h);
+            consider(Walker::heading(h, corners, weights, displacement), &Layout::new(corners));
+        };
+        if let Some(corner) = corner_at(weights) {
+            self.around(turned(first, corner), |h| consider_at(h, [1.0, 0.0, 0.0]));
         } else if let Some(side) = (0..3).find(|&side| layout.touches(side, weights))
             && let Some(twin) = self.across(turned(first, side))
         {
             let along = layout.along(side, layout.point(weights));
-            consider(self.heading(twin, [along, 1.0 - along, 0.0], displacement));
+            consider_at(twin, [along, 1.0 - along, 0.0]);
         }
         best.filter(|b| b.way.length() >= LEAST_INWARD * own.way.length()).unwrap_or(own)
     }
@@ -237,24 +284,6 @@ impl<F: Fn(EdgeId) -> bool> Faces<'_, F> {
             at = twin.next();
             visit(at);
         }
-    }
-
-    fn heading(&self, halfedge: HalfedgeId, weights: [f64; 3], displacement: DVec3) -> Walker {
-        let [x, y] = axes(self.corners(halfedge));
-        Walker { halfedge, weights, way: DVec2::new(displacement.dot(x), displacement.dot(y)) }
-    }
-
-    fn finish(&self, walker: Walker, stopped: bool) -> Walked {
-        let [a, b, c] = walker.weights;
-        let face: FaceId = walker.halfedge.face();
-        let barycentric = match walker.halfedge.corner() {
-            0 => DVec3::new(a, b, c),
-            1 => DVec3::new(c, a, b),
-            _ => DVec3::new(b, c, a),
-        };
-        let [x, y] = axes(self.corners(walker.halfedge));
-        let direction = (walker.way.x * x + walker.way.y * y).normalize_or_zero();
-        Walked { end: SurfacePoint::new(face, barycentric), direction, stopped }
     }
 }
 
@@ -279,105 +308,5 @@ fn axes([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
             let y = (c - a).try_normalize().unwrap_or(DVec3::Y);
             [y.any_orthonormal_vector(), y]
         }
-    }
-}
-
-/// A triangle in the plane: (0, 0), (`length`, 0), `apex`, with `length` and `apex.y` positive.
-struct Layout {
-    length: f64,
-    apex: DVec2,
-}
-
-impl Layout {
-    fn new([a, b, c]: [DVec3; 3]) -> Self {
-        let (ab, ac) = (b - a, c - a);
-        let length = ab.length();
-        let longest = length.max(ac.length()).max(c.distance(b)).max(LEAST_LENGTH);
-        let least = LEAST_HEIGHT * longest;
-        if length <= least {
-            return Self { length: least, apex: DVec2::new(0.0, longest) };
-        }
-        Self { length, apex: DVec2::new(ab.dot(ac) / length, (ab.cross(ac).length() / length).max(least)) }
-    }
-
-    /// Corner at the start of side `side`.
-    fn corner(&self, side: usize) -> DVec2 {
-        match side {
-            0 => DVec2::ZERO,
-            1 => DVec2::new(self.length, 0.0),
-            _ => self.apex,
-        }
-    }
-
-    fn side(&self, side: usize) -> DVec2 {
-        self.corner((side + 1) % 3) - self.corner(side)
-    }
-
-    fn point(&self, weights: [f64; 3]) -> DVec2 {
-        weights[1] * self.corner(1) + weights[2] * self.apex
-    }
-
-    fn double_area(&self) -> f64 {
-        self.length * self.apex.y
-    }
-
-    /// Speed of a way over each side: negative when it leads out there. Exactly 0 over the first side for a way along it.
-    fn inward(&self, way: DVec2) -> [f64; 3] {
-        [self.length * way.y, self.side(1).perp_dot(way), self.side(2).perp_dot(way)]
-    }
-
-    /// The side by which a way leaves the triangle, and after which share of it; `None` when it ends inside.
-    fn exit(&self, weights: [f64; 3], way: DVec2) -> Option<(usize, f64)> {
-        let inward = self.inward(way);
-        let mut first = None;
-        for side in 0..3 {
-            if inward[side] < 0.0 {
-                let share = weights[(side + 2) % 3] * self.double_area() / -inward[side];
-                if first.map_or(share < 1.0, |(_, least)| share < least) {
-                    first = Some((side, share));
-                }
-            }
-        }
-        first
-    }
-
-    fn moved(&self, weights: [f64; 3], way: DVec2) -> [f64; 3] {
-        let inward = self.inward(way);
-        [0, 1, 2].map(|c| (weights[c] + inward[(c + 1) % 3] / self.double_area()).max(0.0))
-    }
-
-    /// Where on a side a point next to it lies: 0 at its start, 1 at its end.
-    fn along(&self, side: usize, point: DVec2) -> f64 {
-        let edge = self.side(side);
-        ((point - self.corner(side)).dot(edge) / edge.length_squared()).clamp(0.0, 1.0)
-    }
-
-    /// A vector in the frame that has a side along x.
-    fn in_frame_of(&self, side: usize, way: DVec2) -> DVec2 {
-        let edge = self.side(side);
-        DVec2::new(edge.dot(way), self.inward(way)[side]) / edge.length()
-    }
-
-    /// Angle at the first corner.
-    fn angle(&self) -> f64 {
-        self.apex.y.atan2(self.apex.x)
-    }
-
-    /// True when a point is on a side.
-    fn touches(&self, side: usize, weights: [f64; 3]) -> bool {
-        let size = self.length * self.length + self.side(1).length_squared() + self.side(2).length_squared();
-        if weights[(side + 2) % 3] * self.double_area() > TOUCH * size {
-            return false;
-        }
-        // Beside the side, in a face without area: on its line, but not between its ends.
-        let point = self.point(weights);
-        let foot = self.corner(side) + self.along(side, point) * self.side(side);
-        foot.distance_squared(point) <= TOUCH * TOUCH * size
-    }
-
-    /// True when a way from a point does not leave by a side that the point is on.
-    fn leads_in(&self, weights: [f64; 3], way: DVec2) -> bool {
-        let inward = self.inward(way);
-        way != DVec2::ZERO && (0..3).all(|side| inward[side] >= 0.0 || !self.touches(side, weights))
     }
 }

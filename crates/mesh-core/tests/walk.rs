@@ -1,9 +1,22 @@
 //! Walks against plane geometry, unfoldings and barriers.
 
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, Walked, closest_on_triangle, walk};
+use mesh_core::{EdgeId, FaceId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, Walked, closest_on_triangle, walk_end};
 use proptest::prelude::*;
 use std::collections::HashMap;
+
+/// The walk, whose end alone has to be the same to the last bit.
+fn walk(
+    mesh: &TriMesh,
+    topology: &Topology,
+    start: SurfacePoint,
+    displacement: DVec3,
+    may_cross: impl Fn(EdgeId) -> bool,
+) -> Walked {
+    let walked = mesh_core::walk(mesh, topology, start, displacement, &may_cross);
+    assert_eq!(walk_end(mesh, topology, start, displacement, &may_cross), walked.end);
+    walked
+}
 
 fn with_topology(positions: Vec<DVec3>, faces: Vec<[u32; 3]>) -> (TriMesh, Topology) {
     let mesh = TriMesh::new(positions, faces).unwrap();

@@ -21,12 +21,20 @@ pub(crate) struct Metric {
     pub(crate) cap: f64,
 }
 
-/// A triangle on the surface.
+/// A triangle on the surface, measured: what its energy depends on.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Triangle {
-    pub(crate) corners: [DVec3; 3],
+pub(crate) struct Measures {
     /// The surface's unit normal.
     pub(crate) normal: DVec3,
+    /// The area, negative where the triangle faces against the surface.
+    pub(crate) signed_area: f64,
+    /// The sum of the squared lengths of the edges.
+    pub(crate) squared_lengths: f64,
+}
+
+/// What a triangle shall be like.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Goal {
     /// The area wanted.
     pub(crate) target: f64,
     /// Regularisation, an area.
@@ -66,53 +74,55 @@ impl Metric {
     }
 }
 
-impl Triangle {
+impl Measures {
     /// `|a|^2 + |b|^2 + |c|^2 = EQUILATERAL * area` for an equilateral triangle: 4 sqrt 3.
     const EQUILATERAL: f64 = 6.928_203_230_275_509;
 
-    fn squared_lengths(&self) -> f64 {
-        let [a, b, c] = self.corners;
-        a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a)
+    /// Those of a triangle where the surface has this unit normal.
+    pub(crate) fn new(corners: [DVec3; 3], normal: DVec3) -> Self {
+        let [a, b, c] = corners;
+        let squared_lengths = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
+        Self { normal, signed_area: mesh_core::vector_area(corners).dot(normal), squared_lengths }
     }
 
     /// `y` and its derivative by the signed area.
-    fn positive_area(&self) -> (f64, f64) {
-        let area = mesh_core::vector_area(self.corners).dot(self.normal);
+    fn positive_area(&self, eps: f64) -> (f64, f64) {
+        let area = self.signed_area;
         // The same, and faster.
-        let root = if self.eps == 0.0 { area.abs() } else { area.hypot(self.eps) };
+        let root = if eps == 0.0 { area.abs() } else { area.hypot(eps) };
         // Without cancellation where the area is negative.
-        let y = if area > 0.0 { 0.5 * (area + root) } else { 0.5 * self.eps * self.eps / (root - area) };
+        let y = if area > 0.0 { 0.5 * (area + root) } else { 0.5 * eps * eps / (root - area) };
         (y, y / root)
     }
 
     /// The energy; the cap for an inverted triangle without regularisation.
-    pub(crate) fn energy(&self, metric: &Metric) -> f64 {
-        let (y, _) = self.positive_area();
+    pub(crate) fn energy(&self, goal: Goal, metric: &Metric) -> f64 {
+        let (y, _) = self.positive_area(goal.eps);
         if y.is_nan() || y <= 0.0 {
             return metric.cap;
         }
-        let q = self.squared_lengths() / (Self::EQUILATERAL * y);
-        let r = y / self.target;
+        let q = self.squared_lengths / (Self::EQUILATERAL * y);
+        let r = y / goal.target;
         1.0 / (1.0 / metric.uncapped(q, r) + 1.0 / metric.cap)
     }
 
-    /// Gradient and second-order model. The energy must be finite. The cap is concave: only its slope counts in the model.
-    pub(crate) fn expansion(&self, metric: &Metric) -> Expansion {
-        let [p0, p1, p2] = self.corners;
-        let (y, slope) = self.positive_area();
+    /// Gradient and second-order model at these corners. The energy must be finite. The cap is concave: only its slope counts in
+    /// the model.
+    pub(crate) fn expansion(&self, [p0, p1, p2]: [DVec3; 3], goal: Goal, metric: &Metric) -> Expansion {
+        let (y, slope) = self.positive_area(goal.eps);
         let lengths = [2.0 * p0 - p1 - p2, 2.0 * p1 - p2 - p0, 2.0 * p2 - p0 - p1].map(|d| 2.0 * d);
         let areas = [p2 - p1, p0 - p2, p1 - p0].map(|opposite| 0.5 * slope * self.normal.cross(opposite));
 
-        let q = self.squared_lengths() / (Self::EQUILATERAL * y);
+        let q = self.squared_lengths / (Self::EQUILATERAL * y);
         let (q_l, q_y) = (1.0 / (Self::EQUILATERAL * y), -q / y);
         let (q_ly, q_yy) = (-q_l / y, 2.0 * q / (y * y));
         let shape_1 = metric.power * raised(q, metric.power - 1.0);
         let shape_2 = metric.power * (metric.power - 1.0) * raised(q, metric.power - 2.0);
-        let r = y / self.target;
+        let r = y / goal.target;
         // The slope of the cap.
         let s = (1.0 + metric.uncapped(q, r) / metric.cap).powi(-2);
-        let size_1 = 0.5 * metric.size_weight * (1.0 - 1.0 / (r * r)) / self.target;
-        let size_2 = metric.size_weight / (r * r * r * self.target * self.target);
+        let size_1 = 0.5 * metric.size_weight * (1.0 - 1.0 / (r * r)) / goal.target;
+        let size_2 = metric.size_weight / (r * r * r * goal.target * goal.target);
 
         let (by_l, by_y) = (s * shape_1 * q_l, s * (shape_1 * q_y + size_1));
         Expansion {
@@ -133,15 +143,33 @@ mod tests {
 
     const METRIC: Metric = Metric { power: 2.0, size_weight: 0.3, cap: f64::INFINITY };
 
+    /// A triangle where the surface has this normal.
+    #[derive(Clone, Copy)]
+    struct Triangle {
+        corners: [DVec3; 3],
+        normal: DVec3,
+        goal: Goal,
+    }
+
+    impl Triangle {
+        fn energy(&self, metric: &Metric) -> f64 {
+            Measures::new(self.corners, self.normal).energy(self.goal, metric)
+        }
+
+        fn expansion(&self, metric: &Metric) -> Expansion {
+            Measures::new(self.corners, self.normal).expansion(self.corners, self.goal, metric)
+        }
+    }
+
     fn triangle(eps: f64) -> Triangle {
         let corners = [DVec3::new(0.1, 0.2, 0.3), DVec3::new(1.2, 0.1, 0.5), DVec3::new(0.4, 0.8, 0.2)];
-        Triangle { corners, normal: DVec3::new(0.1, 0.2, 1.0).normalize(), target: 0.2, eps }
+        Triangle { corners, normal: DVec3::new(0.1, 0.2, 1.0).normalize(), goal: Goal { target: 0.2, eps } }
     }
 
     #[test]
     fn an_equilateral_triangle_of_the_target_area_has_the_least_energy() {
         let corners = [DVec3::ZERO, DVec3::X, DVec3::new(0.5, 0.75f64.sqrt(), 0.0)];
-        let best = Triangle { corners, normal: DVec3::Z, target: 3f64.sqrt() / 4.0, eps: 0.0 };
+        let best = Triangle { corners, normal: DVec3::Z, goal: Goal { target: 3f64.sqrt() / 4.0, eps: 0.0 } };
         assert!((best.energy(&METRIC) - 1.3).abs() < 1e-14);
         assert!(best.expansion(&METRIC).gradient.iter().all(|g| g.length() < 1e-14));
         assert_eq!(Triangle { normal: -DVec3::Z, ..best }.energy(&METRIC), f64::INFINITY);

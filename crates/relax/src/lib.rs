@@ -30,6 +30,7 @@ mod energy;
 mod error;
 mod freedom;
 mod keeping;
+mod measured;
 mod mend;
 mod movable_domain;
 mod options;

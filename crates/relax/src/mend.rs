@@ -5,11 +5,12 @@
 //! around them, and take the one that leaves the best worst triangle: no derivatives, never a step back.
 
 use crate::freedom::Freedom;
+use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
+use mesh_core::{FaceId, HalfedgeId, Id as _, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
 
 /// Triangles worse than this (AR, negative when folded) are mended. More mends more than folds, and takes longer.
@@ -43,17 +44,30 @@ impl<'a> Mender<'a> {
 
     /// Moves vertices beside folded triangles until none is folded or no move helps. The worst triangle round a vertex never gets
     /// worse.
-    pub(crate) fn mend_folds(&self, placement: &mut Placement) {
+    pub(crate) fn mended(&self, measured: Measured) -> Measured {
         // Where the normals at the corners tell of too many, the surface is not asked: it could only add to them. Otherwise it
         // is, for every triangle: one that bridges a slit may look sound.
-        let folded = |f: &FaceId| signed_quality(self.domain, placement, *f) < SOUND;
-        let faces: Vec<FaceId> = self.domain.topology.faces().ids().collect();
-        if faces.par_iter().filter(|f| folded(f)).count() as f64 > self.most {
-            return;
+        let qualities = self.domain.of_faces(|f| {
+            let quality = aspect_ratio(measured.placement().triangle(self.domain, f));
+            if measured.faces()[f].signed_area > 0.0 { quality } else { -quality }
+        });
+        if qualities.iter().filter(|quality| **quality < SOUND).count() as f64 > self.most {
+            return measured;
         }
         let surface = self.domain.surface;
         let sight = Sight { domain: self.domain, index: surface.index(), diagonal: surface.mesh().diagonal() };
-        let mut folds = sight.folds(placement, faces);
+        let in_sight = self.domain.of_faces(|f| sight.in_sight_of_surface(measured.placement(), f, qualities[f.index()]));
+        let folds: Vec<FaceId> = self.domain.topology.faces().ids().filter(|f| in_sight[f.index()] < SOUND).collect();
+        if folds.is_empty() {
+            return measured;
+        }
+        let mut placement = measured.into_placement();
+        self.mend(&sight, &mut placement, folds);
+        Measured::new(self.domain, placement)
+    }
+
+    /// Mends these folds, and those that come of it.
+    fn mend(&self, sight: &Sight, placement: &mut Placement, mut folds: Vec<FaceId>) {
         for _ in 0..ROUNDS {
             if folds.is_empty() || folds.len() as f64 > self.most || self.domain.is_interrupted() {
                 return;

@@ -4,7 +4,7 @@ use crate::RelaxError;
 use crate::corner_normal::{CornerNormal, corner_normals};
 use crate::freedom::Freedom;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, VertexId};
+use mesh_core::{FaceId, HalfedgeId, Id, IdVec, Topology, VertexId};
 use rayon::prelude::*;
 use region_map::{Domain, Surface};
 use std::sync::Arc as Shared;
@@ -13,6 +13,10 @@ use std::sync::Arc as Shared;
 /// steps of thousands of diagonals come up while triangles are inverted, and a walk that long goes round and round (crank_cse:
 /// minutes).
 const LONGEST_MOVE: f64 = 4.0;
+
+/// So many vertices or faces are one task: with fewer, parts of some hundred triangles were divided among threads, which cost more
+/// than it gained.
+const AT_ONCE: usize = 512;
 
 /// What never changes while the vertices move.
 pub(crate) struct MovableDomain<'a> {
@@ -41,8 +45,7 @@ impl<'a> MovableDomain<'a> {
 
     /// Something of every face, in order.
     pub(crate) fn of_faces<T: Send>(&self, value: impl Fn(FaceId) -> T + Sync + Send) -> Vec<T> {
-        let faces: Vec<FaceId> = self.topology.faces().ids().collect();
-        faces.into_par_iter().map(value).collect()
+        each(self.topology.n_faces(), value)
     }
 
     /// Holds some vertices inside sheets where they are. Fails for one that is not there.
@@ -83,4 +86,9 @@ impl<'a> MovableDomain<'a> {
         faces.dedup();
         faces
     }
+}
+
+/// Something of the first `n` vertices or faces, in order.
+pub(crate) fn each<I: Id, T: Send>(n: usize, value: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
+    (0..n).into_par_iter().with_min_len(AT_ONCE).map(|i| value(I::new(i))).collect()
 }

@@ -3,6 +3,7 @@
 use crate::ShapeOptions;
 use crate::corner_normal::CornerNormal;
 use crate::freedom::{ArcNeighbour, Freedom, OnArc};
+use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
@@ -67,9 +68,9 @@ impl<'a> Part<'a> {
     /// Without the caution of [`relax`](crate::relax): where it leaves triangles inverted, their costs tell. `options` is what
     /// [`ShapeOptions::check`] finds right.
     pub fn relaxed(&self, placed: impl Fn(VertexId) -> PlacedVertex, options: &ShapeOptions) -> RelaxedPart {
-        let (placement, _) = optimise_shape(&self.domain, self.placement(placed), &self.targets, options);
-        let costs = costs(&self.domain, &placement, &self.targets, options);
-        RelaxedPart { costs, moved: self.moved(&placement) }
+        let start = Measured::new(&self.domain, self.placement(placed));
+        let (measured, _) = optimise_shape(&self.domain, start, &self.targets, options);
+        RelaxedPart { costs: costs(&measured, &self.targets, options), moved: self.moved(measured.placement()) }
     }
 
     /// The places of its vertices, given by those of the whole.

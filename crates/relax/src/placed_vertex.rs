@@ -3,7 +3,7 @@
 use crate::freedom::OnArc;
 use crate::movable_domain::MovableDomain;
 use glam::DVec3;
-use mesh_core::{HalfedgeId, SurfacePoint, walk};
+use mesh_core::{HalfedgeId, SurfacePoint, walk_end};
 
 /// The place of a vertex on the surface.
 #[derive(Clone, Copy, Debug)]
@@ -74,6 +74,6 @@ impl MovableDomain<'_> {
         }
         let displacement = displacement.clamp_length_max(*longest_move);
         let may_cross = |e| !surface.network().is_barrier(e);
-        self.placed_on_sheet(walk(surface.mesh(), surface.topology(), placed.point, displacement, may_cross).end)
+        self.placed_on_sheet(walk_end(surface.mesh(), surface.topology(), placed.point, displacement, may_cross))
     }
 }

@@ -1,11 +1,11 @@
 //! Where the vertices of a domain are, and how they are displaced together.
 
+use crate::energy::Measures;
 use crate::freedom::{ArcNeighbour, Freedom};
-use crate::movable_domain::MovableDomain;
+use crate::movable_domain::{MovableDomain, each};
 use crate::placed_vertex::PlacedVertex;
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec, MeshError, VertexId};
-use rayon::prelude::*;
 use region_map::{ArcSpan, Attachment, Domain, RegionMap};
 
 /// The share of the way to its neighbour on the arc that a vertex may slide at once. Less takes more steps; from a half on, two
@@ -30,14 +30,12 @@ impl Placement {
             (Freedom::Arc(on_arc), Attachment::Arc { t, .. }) => domain.placed_on_arc(&on_arc, t),
             _ => domain.placed_on_sheet(region.points[v]),
         };
-        let vertices = domain.freedoms.ids().collect::<Vec<_>>();
-        Self(IdVec::from_vec(vertices.into_par_iter().map(placed).collect()))
+        Self(IdVec::from_vec(each(domain.freedoms.len(), placed)))
     }
 
     /// All vertices displaced at once.
     pub(crate) fn displaced(&self, domain: &MovableDomain, displacement: impl Fn(VertexId) -> DVec3 + Sync) -> Self {
-        let vertices: Vec<VertexId> = domain.freedoms.ids().collect();
-        Self(IdVec::from_vec(vertices.into_par_iter().map(|v| domain.displaced(self, v, displacement(v))).collect()))
+        Self(IdVec::from_vec(each(domain.freedoms.len(), |v| domain.displaced(self, v, displacement(v)))))
     }
 
     /// Puts one vertex elsewhere.
@@ -60,26 +58,9 @@ impl Placement {
         mesh_core::vector_area(self.triangle(domain, f)).dot(self.reference_normal(domain, f))
     }
 
-    /// Brings back the vertices of all faces for which `is_bad` holds here, then those of faces that this makes bad, until none
-    /// is left. A face whose three vertices are back where they were in `before` must not be bad.
-    pub(crate) fn take_back(&mut self, domain: &MovableDomain, before: &Self, is_bad: impl Fn(&Self, FaceId) -> bool + Sync) {
-        let mut suspects: Vec<FaceId> = domain.topology.faces().ids().collect();
-        while !suspects.is_empty() {
-            let bad: Vec<FaceId> = suspects.into_par_iter().filter(|&f| is_bad(self, f)).collect();
-            let corners = bad.into_iter().flat_map(|f| domain.topology.face(f));
-            let mut vertices: Vec<VertexId> = corners.collect();
-            vertices.sort_unstable();
-            vertices.dedup();
-            for &v in &vertices {
-                self.0[v] = before.0[v];
-            }
-            suspects = domain.fans(&vertices);
-        }
-    }
-
-    /// Puts back the triangles that are turned over here and faced with the surface in `before`.
-    pub(crate) fn hold_upright(&mut self, domain: &MovableDomain, before: &Self) {
-        self.take_back(domain, before, |now, f| now.signed_area(domain, f) <= 0.0 && before.signed_area(domain, f) > 0.0);
+    /// What the energy of a face depends on.
+    pub(crate) fn measures(&self, domain: &MovableDomain, f: FaceId) -> Measures {
+        Measures::new(self.triangle(domain, f), self.reference_normal(domain, f))
     }
 
     /// The domain with its vertices at these places; `start` is the one that they began from.

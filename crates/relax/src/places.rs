@@ -4,6 +4,7 @@
 use crate::ShapeOptions;
 use crate::best_shape::best_shape;
 use crate::freedom::Freedom;
+use crate::measured::Measured;
 use crate::mend::Mender;
 use crate::movable_domain::MovableDomain;
 use crate::part::{Part, PartFace};
@@ -64,9 +65,9 @@ impl<'a> Place<'a> {
     /// Where its vertices are after it was relaxed, and the number of Newton steps.
     fn relaxed(&self, mender: &Mender, placement: &Placement, options: &ShapeOptions) -> (Vec<(VertexId, PlacedVertex)>, usize) {
         let Self(part) = self;
-        let start = part.placement(|v| placement[v]);
+        let start = Measured::new(&part.domain, part.placement(|v| placement[v]));
         let best = best_shape(&mender.of_part(&part.domain), &part.targets, start, SLACK, options);
-        (part.moved(&best.placement), best.steps)
+        (part.moved(best.measured.placement()), best.steps)
     }
 }
 

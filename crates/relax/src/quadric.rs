@@ -5,6 +5,7 @@
 //! lost the sign) is closed: of the way to the centroid the part along the normal is divided by `1 + lambda`.
 
 use crate::QuadricOptions;
+use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
 use crate::quality::Quality;
@@ -18,7 +19,7 @@ const LEAST_GAIN: f64 = 1e-4;
 const MOST_IDLE: usize = 3;
 
 /// Relaxes until the target quality, no gain or the cap. Returns the best placement met and the number of iterations.
-pub(crate) fn relax_quadric(domain: &MovableDomain, start: Placement, options: &QuadricOptions) -> (Placement, usize) {
+pub(crate) fn relax_quadric(domain: &MovableDomain, start: Measured, options: &QuadricOptions) -> (Measured, usize) {
     let weights = vertex_weights(&domain.topology, options.weights);
     let (mut best, mut best_quality) = (start.clone(), Quality::of(&start, domain));
     let (mut now, mut idle, mut iterations) = (start, 0, 0);
@@ -26,7 +27,8 @@ pub(crate) fn relax_quadric(domain: &MovableDomain, start: Placement, options: &
         if domain.is_interrupted() {
             break;
         }
-        let mut next = now.displaced(domain, |v| quadric_step(domain, &now, &weights, options.plane_weight, v));
+        let step = |v: VertexId| quadric_step(domain, now.placement(), &weights, options.plane_weight, v);
+        let mut next = Measured::new(domain, now.placement().displaced(domain, step));
         next.hold_upright(domain, &now);
         now = next;
         iterations += 1;

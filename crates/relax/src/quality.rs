@@ -1,7 +1,7 @@
 //! How good the triangles of a placement are.
 
+use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
-use crate::placement::Placement;
 use mesh_core::{FaceId, aspect_ratio};
 
 /// The quality of the triangles of a domain.
@@ -16,9 +16,10 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Measures all faces of a placement.
-    pub(crate) fn of(placement: &Placement, domain: &MovableDomain) -> Self {
-        let upright = |f: FaceId| (placement.signed_area(domain, f) > 0.0).then(|| aspect_ratio(placement.triangle(domain, f)));
+    /// That of all faces of a placement.
+    pub(crate) fn of(measured: &Measured, domain: &MovableDomain) -> Self {
+        let ratio = |f: FaceId| aspect_ratio(measured.placement().triangle(domain, f));
+        let upright = |f: FaceId| (measured.faces()[f].signed_area > 0.0).then(|| ratio(f));
         let ratios = domain.of_faces(upright);
         let (mut sum, mut least, mut inverted) = (0.0, 1.0f64, 0);
         for ratio in &ratios {

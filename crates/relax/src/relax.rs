@@ -1,6 +1,7 @@
 //! The verbs of this crate: quadric relaxation, then shape optimisation.
 
 use crate::best_shape::best_shape;
+use crate::measured::Measured;
 use crate::mend::Mender;
 use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
@@ -66,15 +67,15 @@ pub fn relax_holding(
     options.check()?;
     let mut movable = MovableDomain::new(surface, domain)?;
     movable.hold(held)?;
-    let placement = Placement::of_region(&movable, &domain.region);
-    let start = Quality::of(&placement, &movable);
+    let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
+    let start = Quality::of(&placed, &movable);
 
-    let (relaxed, quadric_iterations) = relax_quadric(&movable, placement, &options.quadric);
+    let (relaxed, quadric_iterations) = relax_quadric(&movable, placed, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &movable);
-    let targets = sheet_targets(&movable, &domain.region.sheet_of_face, &relaxed);
+    let targets = sheet_targets(&movable, &domain.region.sheet_of_face, relaxed.placement());
     let best = best_shape(&Mender::new(&movable), &targets, relaxed, SLACK, &options.shape);
     let report = RelaxReport { start, after_quadric, end: best.quality, quadric_iterations, shape_steps: best.steps };
-    finished(&movable, domain, best.placement, report)
+    finished(&movable, domain, best.measured, report)
 }
 
 /// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they
@@ -96,12 +97,14 @@ pub fn relax_around(
     if let Some(&f) = faces.iter().find(|&&f| movable.topology.faces().get(f).is_none()) {
         return Err(RelaxError::NoSuchFace(f));
     }
-    let mut placement = Placement::of_region(&movable, &domain.region);
-    let start = Quality::of(&placement, &movable);
+    let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
+    let start = Quality::of(&placed, &movable);
+    let mut placement = placed.into_placement();
     let targets = sheet_targets(&movable, &domain.region.sheet_of_face, &placement);
     let shape_steps = relax_places(&Mender::new(&movable), &targets, &mut placement, (faces, edges), options);
-    let end = Quality::of(&placement, &movable);
-    finished(&movable, domain, placement, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
+    let relaxed = Measured::new(&movable, placement);
+    let end = Quality::of(&relaxed, &movable);
+    finished(&movable, domain, relaxed, RelaxReport { start, after_quadric: start, end, quadric_iterations: 0, shape_steps })
 }
 
 /// The faces of a domain that face against the surface or have no area, in rising order, with their vertices where the region map
@@ -110,14 +113,14 @@ pub fn relax_around(
 /// Fails when the region map does not fit the domain or the surface.
 pub fn inverted(surface: &Surface, domain: &Domain) -> Result<Vec<FaceId>, RelaxError> {
     let movable = MovableDomain::new(surface, domain)?;
-    Ok(inverted_of(&movable, &Placement::of_region(&movable, &domain.region)))
+    Ok(inverted_of(&Measured::new(&movable, Placement::of_region(&movable, &domain.region))))
 }
 
-fn inverted_of(movable: &MovableDomain, placement: &Placement) -> Vec<FaceId> {
-    movable.topology.faces().ids().filter(|&f| placement.signed_area(movable, f) <= 0.0).collect()
+fn inverted_of(measured: &Measured) -> Vec<FaceId> {
+    measured.faces().enumerate().filter(|(_, face)| face.signed_area <= 0.0).map(|(f, _)| f).collect()
 }
 
-fn finished(movable: &MovableDomain, start: &Domain, best: Placement, report: RelaxReport) -> Result<Relaxed, RelaxError> {
-    let inverted = inverted_of(movable, &best);
-    Ok(Relaxed { domain: best.into_domain(movable, start)?, inverted, report })
+fn finished(movable: &MovableDomain, start: &Domain, best: Measured, report: RelaxReport) -> Result<Relaxed, RelaxError> {
+    let inverted = inverted_of(&best);
+    Ok(Relaxed { domain: best.into_placement().into_domain(movable, start)?, inverted, report })
 }

@@ -5,14 +5,14 @@
 //! falls. While triangles are inverted or nearly so the energy is regularised, less and less as the worst of them improves.
 
 use crate::ShapeOptions;
-use crate::energy::{Metric, Triangle};
+use crate::energy::{Expansion, Goal, Measures, Metric};
 use crate::freedom::Freedom;
-use crate::movable_domain::MovableDomain;
+use crate::measured::Measured;
+use crate::movable_domain::{MovableDomain, each};
 use crate::placement::Placement;
 use crate::system::{Element, Pattern, System};
 use glam::{DMat2, DVec2, DVec3};
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
-use rayon::prelude::*;
 use region_map::SheetId;
 
 /// Conjugate gradients lower the residual to this share: less makes each Newton step better and dearer.
@@ -61,17 +61,17 @@ const MOST_COST: f64 = 100.0;
 /// time.
 const MOST_SMALL_GAINS: usize = 3;
 
-/// Optimises the shape of all triangles. Returns the placement and the number of Newton steps.
+/// Optimises the shape of all triangles. Returns where they are then, and the number of Newton steps.
 pub(crate) fn optimise_shape(
     domain: &MovableDomain,
-    start: Placement,
+    start: Measured,
     targets: &IdVec<FaceId, f64>,
     options: &ShapeOptions,
-) -> (Placement, usize) {
+) -> (Measured, usize) {
     let mut optimiser = Optimiser::new(domain, start, targets, options);
     let untangling = optimiser.untangle(options);
     let smoothing = optimiser.smooth(options);
-    (optimiser.placement, untangling + smoothing)
+    (optimiser.now, untangling + smoothing)
 }
 
 /// The areas wanted of all faces of a domain: the means over their sheets.
@@ -80,20 +80,14 @@ pub(crate) fn sheet_targets(domain: &MovableDomain, sheets: &IdVec<FaceId, Sheet
     sheets.iter().map(|s| means[s.index()]).collect()
 }
 
-/// By how much the energies of all faces of a domain exceed the least one, at most [`MOST_COST`].
-pub(crate) fn costs(
-    domain: &MovableDomain,
-    placement: &Placement,
-    targets: &IdVec<FaceId, f64>,
-    options: &ShapeOptions,
-) -> Vec<f64> {
+/// By how much the energies of all faces exceed the least one, at most [`MOST_COST`].
+pub(crate) fn costs(measured: &Measured, targets: &IdVec<FaceId, f64>, options: &ShapeOptions) -> Vec<f64> {
     let metric = Metric { power: options.power.max(1.0), size_weight: options.size_weight.max(0.0), cap: f64::INFINITY };
-    let cost = |f: FaceId| {
-        let (corners, normal) = (placement.triangle(domain, f), placement.reference_normal(domain, f));
-        let triangle = Triangle { corners, normal, target: targets[f], eps: 0.0 };
-        triangle.energy(&metric).min(MOST_COST) - (1.0 + metric.size_weight)
+    let cost = |(f, face): (FaceId, &Measures)| {
+        let goal = Goal { target: targets[f], eps: 0.0 };
+        face.energy(goal, &metric).min(MOST_COST) - (1.0 + metric.size_weight)
     };
-    domain.topology.faces().ids().map(cost).collect()
+    measured.faces().enumerate().map(cost).collect()
 }
 
 struct Optimiser<'a> {
@@ -103,51 +97,55 @@ struct Optimiser<'a> {
     metric: Metric,
     /// Regularisation of each face, an area.
     eps: IdVec<FaceId, f64>,
-    placement: Placement,
+    now: Measured,
+}
+
+/// Where a step leads to.
+#[derive(Clone)]
+struct Trial {
+    measured: Measured,
+    /// Of all triangles.
+    energies: Vec<f64>,
 }
 
 /// A step that lowers the energy.
 struct Step {
     before: f64,
     after: f64,
-    placement: Placement,
-    /// Of all triangles after it.
-    energies: Vec<f64>,
+    trial: Trial,
 }
 
 impl<'a> Optimiser<'a> {
-    fn new(domain: &'a MovableDomain<'a>, placement: Placement, targets: &'a IdVec<FaceId, f64>, options: &ShapeOptions) -> Self {
+    fn new(domain: &'a MovableDomain<'a>, now: Measured, targets: &'a IdVec<FaceId, f64>, options: &ShapeOptions) -> Self {
         let metric = Metric { power: 1.0, size_weight: options.size_weight.max(0.0), cap: f64::INFINITY };
         let eps = IdVec::filled(0.0, domain.topology.n_faces());
-        Self { domain, pattern: Pattern::new(&domain.topology), targets, metric, eps, placement }
+        Self { domain, pattern: Pattern::new(&domain.topology), targets, metric, eps, now }
     }
 
     /// Steps on the regularised energy until no triangle is inverted or nearly so. Returns their number.
     fn untangle(&mut self, options: &ShapeOptions) -> usize {
-        let scales = local_areas(self.domain, &self.placement);
+        let scales = local_areas(self.domain, self.now.placement());
         let (mut steps, mut upright_steps, mut idle) = (0, 0, 0);
         while steps < options.untangling_steps && upright_steps < SOUNDING_STEPS && idle < MOST_IDLE {
             if self.domain.is_interrupted() {
                 break;
             }
-            let areas = self.signed_areas();
-            let worst = areas.iter().zip(&scales).map(|(area, scale)| area / scale).fold(f64::INFINITY, f64::min);
+            let worst = self.signed_areas().zip(&scales).map(|(area, scale)| area / scale).fold(f64::INFINITY, f64::min);
             if worst >= SOUND_AREA {
                 break;
             }
             let lacking = (SOUND_AREA - worst).min(MOST_LACKING);
             self.eps = scales.iter().map(|scale| REGULARISATION * lacking * scale).collect();
             let upright = worst > 0.0;
-            let Some(step) = self.step(upright, &self.energies(&self.placement)) else { break };
+            let Some(step) = self.step(upright, &self.energies(&self.now)) else { break };
             idle = if step.before - step.after < LEAST_PROGRESS * step.before { idle + 1 } else { 0 };
-            self.placement = step.placement;
+            self.now = step.trial.measured;
             steps += 1;
             upright_steps += usize::from(upright);
         }
         // What is still inverted or next to it stays regularised, so that all others can go on.
-        let areas = self.signed_areas();
         let eps = |(area, scale): (f64, &f64)| if area > COLLAPSED * scale { 0.0 } else { REGULARISATION * SOUND_AREA * scale };
-        self.eps = areas.into_iter().zip(&scales).map(eps).collect();
+        self.eps = self.signed_areas().zip(&scales).map(eps).collect();
         steps
     }
 
@@ -156,14 +154,14 @@ impl<'a> Optimiser<'a> {
         self.metric.power = options.power.max(1.0);
         self.metric.cap = MOST_ENERGY;
         let least = (1.0 + self.metric.size_weight) * self.domain.topology.n_faces() as f64;
-        let (mut small_gains, mut energies) = (0, self.energies(&self.placement));
+        let (mut small_gains, mut energies) = (0, self.energies(&self.now));
         for steps in 0..options.steps {
             if self.domain.is_interrupted() {
                 return steps;
             }
             let Some(step) = self.step(true, &energies) else { return steps };
-            (self.placement, energies) = (step.placement, step.energies);
             let is_small = step.before - step.after < options.tolerance * (step.before - least);
+            (self.now, energies) = (step.trial.measured, step.trial.energies);
             small_gains = if is_small { small_gains + 1 } else { 0 };
             if small_gains == MOST_SMALL_GAINS {
                 return steps + 1;
@@ -186,15 +184,15 @@ impl<'a> Optimiser<'a> {
                 let ([x, y], d) = (frames[v], share * solution[v.index()]);
                 d.x * x + d.y * y
             };
-            let mut placement = self.placement.displaced(self.domain, way);
+            let mut measured = Measured::new(self.domain, self.now.placement().displaced(self.domain, way));
             if hold {
-                placement.hold_upright(self.domain, &self.placement);
+                measured.hold_upright(self.domain, &self.now);
             }
-            placement
+            Trial { energies: self.energies(&measured), measured }
         };
-        let gain = |(placement, energies): (Placement, Vec<f64>)| {
-            let after = energies.iter().sum();
-            (after < before).then_some(Step { before, after, placement, energies })
+        let gain = |trial: Trial| {
+            let after = trial.energies.iter().sum();
+            (after < before).then_some(Step { before, after, trial })
         };
         let shares = (0..=HALVINGS).map(|halvings| 0.5f64.powi(halvings));
         let step = shares.into_iter().find_map(|share| gain(self.better_tamed_or_not(trial(share), present)));
@@ -202,49 +200,53 @@ impl<'a> Optimiser<'a> {
         step.or_else(|| gain(self.tamed(trial(TAMED_SHARE), present, 1.0)))
     }
 
-    /// The placement as it is, or with all triangles put back where they were whose energy grew much beyond the one before, and
-    /// its energies.
-    fn better_tamed_or_not(&self, wild: Placement, before: &[f64]) -> (Placement, Vec<f64>) {
-        let wild_energies = self.energies(&wild);
-        if wild_energies.iter().zip(before).all(|(after, before)| *after <= MOST_GROWTH * before) {
-            return (wild, wild_energies);
+    /// The trial as it is, or with all triangles put back where they were whose energy grew much beyond the one before.
+    fn better_tamed_or_not(&self, wild: Trial, before: &[f64]) -> Trial {
+        if wild.energies.iter().zip(before).all(|(after, before)| *after <= MOST_GROWTH * before) {
+            return wild;
         }
-        let (tamed, tamed_energies) = self.tamed(wild.clone(), before, MOST_GROWTH);
-        let is_better = tamed_energies.iter().sum::<f64>() < wild_energies.iter().sum();
-        if is_better { (tamed, tamed_energies) } else { (wild, wild_energies) }
+        let tamed = self.tamed(wild.clone(), before, MOST_GROWTH);
+        let is_better = tamed.energies.iter().sum::<f64>() < wild.energies.iter().sum();
+        if is_better { tamed } else { wild }
     }
 
-    /// The placement with all triangles put back where they were whose energy grew by more than a factor, and its energies.
-    fn tamed(&self, mut placement: Placement, before: &[f64], most_growth: f64) -> (Placement, Vec<f64>) {
-        let grew = |trial: &Placement, f: FaceId| self.triangle(trial, f).energy(&self.metric) > most_growth * before[f.index()];
-        placement.take_back(self.domain, &self.placement, grew);
-        let energies = self.energies(&placement);
-        (placement, energies)
+    /// The trial with all triangles put back where they were whose energy grew by more than a factor, then those for which this
+    /// does, until there are none.
+    fn tamed(&self, mut trial: Trial, before: &[f64], most_growth: f64) -> Trial {
+        let grew = |trial: &Trial, f: FaceId| trial.energies[f.index()] > most_growth * before[f.index()];
+        let mut bad: Vec<FaceId> = self.domain.topology.faces().ids().filter(|&f| grew(&trial, f)).collect();
+        while !bad.is_empty() {
+            let changed = trial.measured.put_back(self.domain, self.now.placement(), &bad);
+            for &f in &changed {
+                trial.energies[f.index()] = self.energy(&trial.measured, f);
+            }
+            bad = changed.into_iter().filter(|&f| grew(&trial, f)).collect();
+        }
+        trial
     }
 
-    fn triangle(&self, placement: &Placement, f: FaceId) -> Triangle {
-        Triangle {
-            corners: placement.triangle(self.domain, f),
-            normal: placement.reference_normal(self.domain, f),
-            target: self.targets[f],
-            eps: self.eps[f],
-        }
+    fn goal(&self, f: FaceId) -> Goal {
+        Goal { target: self.targets[f], eps: self.eps[f] }
+    }
+
+    fn energy(&self, measured: &Measured, f: FaceId) -> f64 {
+        measured.faces()[f].energy(self.goal(f), &self.metric)
     }
 
     /// The energies of all faces.
-    fn energies(&self, placement: &Placement) -> Vec<f64> {
-        self.domain.of_faces(|f| self.triangle(placement, f).energy(&self.metric))
+    fn energies(&self, measured: &Measured) -> Vec<f64> {
+        self.domain.of_faces(|f| self.energy(measured, f))
     }
 
     /// The signed areas of all faces.
-    fn signed_areas(&self) -> Vec<f64> {
-        self.domain.of_faces(|f| self.placement.signed_area(self.domain, f))
+    fn signed_areas(&self) -> impl Iterator<Item = f64> {
+        self.now.faces().iter().map(|face| face.signed_area)
     }
 
     /// The directions that each free vertex can move in: two, one and 0, or both 0.
     fn frames(&self) -> IdVec<VertexId, [DVec3; 2]> {
         let frame = |v: VertexId| {
-            let placed = &self.placement[v];
+            let placed = &self.now.placement()[v];
             match &self.domain.freedoms[v] {
                 Freedom::Fixed => [DVec3::ZERO; 2],
                 Freedom::Arc(on_arc) => [self.domain.arc_direction(on_arc, placed.t), DVec3::ZERO],
@@ -254,22 +256,21 @@ impl<'a> Optimiser<'a> {
                 },
             }
         };
-        let vertices: Vec<VertexId> = self.domain.freedoms.ids().collect();
-        IdVec::from_vec(vertices.into_par_iter().map(frame).collect())
+        IdVec::from_vec(each(self.domain.freedoms.len(), frame))
     }
 
     /// What each triangle adds to the system.
     fn elements(&self, frames: &IdVec<VertexId, [DVec3; 2]>) -> Vec<Element> {
         self.domain.of_faces(|f| {
             let frames = self.domain.topology.face(f).map(|v| frames[v]);
-            element(&self.triangle(&self.placement, f), &self.metric, &frames)
+            let corners = self.now.placement().triangle(self.domain, f);
+            element(&self.now.faces()[f].expansion(corners, self.goal(f), &self.metric), &frames)
         })
     }
 }
 
 /// The second-order model of a triangle's energy in the frames of its corners.
-fn element(triangle: &Triangle, metric: &Metric, frames: &[[DVec3; 2]; 3]) -> Element {
-    let e = triangle.expansion(metric);
+fn element(e: &Expansion, frames: &[[DVec3; 2]; 3]) -> Element {
     let into_frame = |i: usize, g: DVec3| DVec2::new(frames[i][0].dot(g), frames[i][1].dot(g));
     let [l, a, g] = [e.lengths, e.areas, e.gradient].map(|d| [0, 1, 2].map(|i| into_frame(i, d[i])));
     let block = |i: usize, j: usize| {

@@ -2,6 +2,7 @@
 
 use crate::corner_normal::CornerNormal;
 use crate::freedom::{Freedom, OnArc};
+use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::part::{Part, PartFace};
 use crate::placed_vertex::PlacedVertex;
@@ -61,7 +62,7 @@ impl<'a> Whole<'a> {
     /// of an equilateral triangle of this area is 0, that of an inverted one about 100.
     pub fn costs(&self, options: &ShapeOptions) -> Vec<f64> {
         let targets = self.sheet_of_face.iter().map(|&s| self.mean_area(s)).collect();
-        costs(&self.movable, &self.placement, &targets, options)
+        costs(&Measured::new(&self.movable, self.placement.clone()), &targets, options)
     }
 
     /// The place after a walk over the surface from another place, along `way` as far as no arc is in it. The part of `way` along
