@@ -50,8 +50,12 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
         let is_worth = |e: &[VertexId; 2]| self.cost_beside(*e) > LEAST_WORTH;
         let edges = self.base.edges().into_iter().filter(is_worth).map(Site::Edge);
         let removable = self.base.vertices().filter(|&v| self.is_spare(v)).map(Site::Vertex);
-        let sites: Vec<Site> = edges.chain(removable).filter(|s| !rated.contains_key(s)).collect();
+        let mut sites: Vec<Site> = edges.chain(removable).filter(|s| !rated.contains_key(s)).collect();
+        // Also those that need not be tried count: how long a search may take is said by the number of edges.
         self.found.tries += sites.len();
+        let mut hopeless = std::mem::take(&mut self.hopeless);
+        hopeless.retain(|_, h| self.is_unchanged(&h.region, h.at));
+        sites.retain(|s| !hopeless.contains_key(s));
         // Splits that were rated before keep the numbers that they have.
         let first = self.n_middles;
         self.n_middles += NEW_VERTICES * sites.iter().filter(|s| matches!(s, Site::Edge(_))).count();
@@ -63,8 +67,13 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
             Some((site, self.tried(change?)?))
         };
         let new: Vec<_> = sites.par_iter().enumerate().filter_map(trial).collect();
-        rated.extend(new);
-        self.rated = rated;
+        for (site, tried) in new {
+            match tried {
+                Ok(trial) => drop(rated.insert(site, trial)),
+                Err(loss) => drop(hopeless.insert(site, loss)),
+            }
+        }
+        (self.rated, self.hopeless) = (rated, hopeless);
     }
 
     /// May a vertex be taken away? Where the surface turns all are needed, which the first subdivision does not tell of.
@@ -76,5 +85,43 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
     fn cost_beside(&self, [a, b]: [VertexId; 2]) -> f64 {
         let sides = [self.base.face_at(a, b), self.base.face_at(b, a)];
         sides.into_iter().flatten().map(|(f, _)| self.base.costs[f]).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ReconnectOptions;
+    use crate::editable_base::EditableBase;
+    use crate::flip::flip;
+    use region_map::{Domain, Sizing, Surface};
+    use relax::parts::Whole;
+
+    /// After an edit, what is remembered of a site is still what a new try of it finds.
+    #[test]
+    fn what_is_remembered_is_true() {
+        let base = Domain::identity(&Surface::smooth(fixtures::uv_sphere(16)).unwrap());
+        let surface = Surface::smooth(subdiv::subdivide(&base, 1).unwrap().domain.mesh).unwrap();
+        let domain = Domain::identity(&surface);
+        let (whole, options) = (Whole::new(&surface, &domain).unwrap(), ReconnectOptions::default());
+        let base = EditableBase::new(&whole, &domain, &options.shape).unwrap();
+        let sizing = Sizing::uniform(surface.mesh());
+        let mut search = Search::new(base, &sizing, &options, surface.interrupt().clone(), |_| true);
+        search.rate_sites();
+        let mut edges = search.base.edges().into_iter();
+        let trial = edges.find_map(|edge| search.tried(flip(&search.base, edge)?)?.ok());
+        search.carry_out(trial.unwrap());
+        let change = |site: &Site| match *site {
+            Site::Edge(edge) => split(&search.base, edge, search.n_middles),
+            Site::Vertex(v) => removal(&search.base, v),
+        };
+        let tried = |site: &Site| change(site).and_then(|change| search.tried(change));
+        let hold: Vec<&Site> =
+            search.hopeless.iter().filter(|(_, h)| search.is_unchanged(&h.region, h.at)).map(|h| h.0).collect();
+        assert!(hold.iter().all(|site| matches!(tried(site), Some(Err(_)))));
+        let gain = |site: &Site| Some(tried(site)?.ok()?.gain);
+        assert!(search.rated.iter().filter(|(_, t)| search.holds(t)).all(|(site, t)| gain(site) == Some(t.gain)));
+        let n = search.hopeless.len();
+        assert!(!hold.is_empty() && hold.len() < n, "{} of {n} hold", hold.len());
     }
 }

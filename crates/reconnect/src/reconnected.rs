@@ -11,6 +11,6 @@ pub struct Reconnected {
     pub energy_at_start: f64,
     /// The same after all edits.
     pub energy_at_end: f64,
-    /// Edits that were tried.
+    /// Edits that were tried, those included of which it was known that they do not gain.
     pub tries: usize,
 }

@@ -1,10 +1,10 @@
 //! The state of a search, the flips, and how an edit is tried and carried out.
 
 use crate::change::Change;
-use crate::editable_base::EditableBase;
+use crate::editable_base::{EditableBase, FaceIndex};
 use crate::flip::flip;
 use crate::region::relaxed;
-use crate::trial::{Site, Trial};
+use crate::trial::{Hopeless, Site, Trial};
 use crate::{ReconnectOptions, Reconnected};
 use mesh_core::{Id as _, Interrupt, VertexId};
 use rayon::prelude::*;
@@ -44,6 +44,8 @@ pub(crate) struct Search<'a, F> {
     changed: Vec<usize>,
     /// Splits and removals, as far as they were rated.
     pub(crate) rated: BTreeMap<Site, Trial>,
+    /// Splits and removals that were hopeless. As long as all around them stays as it was they need not be tried again.
+    pub(crate) hopeless: BTreeMap<Site, Hopeless>,
 }
 
 impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
@@ -63,6 +65,7 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
             n_middles: base.placed.len(),
             numbers: FxHashMap::default(),
             rated: BTreeMap::new(),
+            hopeless: BTreeMap::new(),
             clock: 0,
             base,
             sizing,
@@ -82,7 +85,7 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
     pub(crate) fn flip_all(&mut self, mut edges: Vec<[VertexId; 2]>) {
         while !edges.is_empty() && !self.is_exhausted() {
             self.found.tries += edges.len();
-            let gain = |&e: &[VertexId; 2]| Some((e, self.tried(flip(&self.base, e)?)?));
+            let gain = |&e: &[VertexId; 2]| Some((e, self.tried(flip(&self.base, e)?)?.ok()?));
             let trials: Vec<_> = edges.par_iter().filter_map(gain).collect();
             let mut trials: Vec<_> = trials.into_iter().filter(|t| t.1.gain > self.options.least_gain).collect();
             trials.sort_by(|a, b| b.1.gain.total_cmp(&a.1.gain).then(a.0.cmp(&b.0)));
@@ -98,31 +101,38 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
         }
     }
 
-    /// Relaxes a change with what is around it.
-    pub(crate) fn tried(&self, change: Change) -> Option<Trial> {
-        if self.is_hopeless(&change) {
-            return None;
+    /// Relaxes a change with what is around it. `None` where that is no manifold.
+    pub(crate) fn tried(&self, change: Change) -> Option<Result<Trial, Hopeless>> {
+        if let Some(hopeless) = self.hopeless(&change) {
+            return Some(Err(hopeless));
         }
         let (relaxed, region) = (1..=self.options.rings).rev().find_map(|rings| {
             let region = self.base.around(&change.corners, rings);
             Some((relaxed(&self.base, &region, &change, &self.options.shape)?, region))
         })?;
         let gain = self.base.cost(&region) - relaxed.costs.iter().sum::<f64>();
-        Some(Trial { gain, region, change, relaxed, at: self.clock })
+        Some(Ok(Trial { gain, region, change, relaxed, at: self.clock }))
     }
 
     /// A quick try with the next faces only: does the energy grow by much?
-    fn is_hopeless(&self, change: &Change) -> bool {
+    fn hopeless(&self, change: &Change) -> Option<Hopeless> {
         let most_loss = if matches!(change.edit, BaseEdit::Flip(_)) { MOST_LOSS_OF_FLIP } else { MOST_LOSS_OF_SITE };
         let region = self.base.around(&change.corners, 1);
         let quick = ShapeOptions { steps: QUICK_STEPS, untangling_steps: QUICK_STEPS, ..self.options.shape.clone() };
-        let tried = relaxed(&self.base, &region, change, &quick);
-        tried.is_some_and(|r| r.costs.iter().sum::<f64>() > self.base.cost(&region) + most_loss)
+        let tried = relaxed(&self.base, &region, change, &quick)?;
+        let loses = tried.costs.iter().sum::<f64>() > self.base.cost(&region) + most_loss;
+        loses.then_some(Hopeless { region, at: self.clock })
     }
 
     /// Is all as it was when the edit was tried?
     pub(crate) fn holds(&self, trial: &Trial) -> bool {
-        trial.region.iter().all(|&f| self.changed[f] <= trial.at)
+        self.is_unchanged(&trial.region, trial.at)
+    }
+
+    /// Are some faces, and with them all their vertices, as they were at this time? An edit marks all faces that have a vertex in
+    /// common with those that it changes, or one that it moves.
+    pub(crate) fn is_unchanged(&self, region: &[FaceIndex], since: usize) -> bool {
+        region.iter().all(|&f| self.changed[f] <= since)
     }
 
     /// Carries an edit out, first in the base mesh. Returns the corners of the faces that come; `None` where the base mesh

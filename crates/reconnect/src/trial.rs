@@ -12,6 +12,14 @@ pub(crate) enum Site {
     Vertex(VertexId),
 }
 
+/// An edit that makes the energy grow by too much to be tried in earnest.
+pub(crate) struct Hopeless {
+    /// The faces that were relaxed with it, in rising order.
+    pub(crate) region: Vec<FaceIndex>,
+    /// What the clock of the search showed.
+    pub(crate) at: usize,
+}
+
 /// An edit that was tried.
 pub(crate) struct Trial {
     /// By how much the energy falls.
