@@ -304,10 +304,10 @@ pub(crate) fn sheet_means(domain: &MovableDomain, sheets: &IdVec<FaceId, SheetId
 
 /// For every face the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.
 fn local_areas(domain: &MovableDomain, placement: &Placement) -> Vec<f64> {
+    let areas: Vec<f64> = domain.of_faces(|f| mesh_core::area(placement.triangle(domain, f)));
     let around = |f: FaceId| domain.topology.face(f).into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face);
-    let mean = |f: FaceId| {
-        let (sum, n) = around(f).fold((0.0, 0), |(sum, n), g| (sum + mesh_core::area(placement.triangle(domain, g)), n + 1));
+    domain.of_faces(|f| {
+        let (sum, n) = around(f).fold((0.0, 0), |(sum, n), g| (sum + areas[g.index()], n + 1));
         sum / f64::from(n)
-    };
-    domain.topology.faces().ids().map(mean).collect()
+    })
 }

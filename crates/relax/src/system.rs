@@ -16,7 +16,9 @@ pub(crate) struct Pattern {
 impl Pattern {
     /// The pattern of a mesh with an unknown at every vertex.
     pub(crate) fn new(topology: &Topology) -> Self {
-        let (mut starts, mut columns) = (vec![0], Vec::new());
+        let mut starts = Vec::with_capacity(topology.n_vertices() + 1);
+        let mut columns = Vec::with_capacity(2 * topology.n_edges());
+        starts.push(0);
         for v in (0..topology.n_vertices()).map(VertexId::new) {
             columns.extend(topology.one_ring(v).map(|w| w.0));
             starts.push(columns.len());
