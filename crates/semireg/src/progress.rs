@@ -26,7 +26,7 @@ pub type OnProgress<'a> = dyn FnMut(Progress) -> ControlFlow<()> + Send + 'a;
 const PERIOD: Duration = Duration::from_millis(50);
 
 /// The stages in order, and the share of an attempt that is usually done when they begin.
-const USUAL_SHARES: [(&str, f64); 17] = [
+const USUAL_SHARES: [(&str, f64); 16] = [
     ("clean", 0.0),
     ("refine", 0.02),
     ("features", 0.04),
@@ -37,8 +37,7 @@ const USUAL_SHARES: [(&str, f64); 17] = [
     ("decimate", 0.1),
     ("base", 0.15),
     ("retrace", 0.3),
-    ("rate", 0.33),
-    ("search", 0.37),
+    ("search", 0.35),
     ("subdivide", 0.6),
     ("relax", 0.65),
     ("snap", 0.8),

@@ -1,7 +1,7 @@
 //! The verbs: one loop over the plan, which keeps the best candidate.
 
 use crate::attempt::Remedy;
-use crate::base::{BaseStages, Proposal, Setting, proposals};
+use crate::base::{BaseStages, Setting, proposals};
 use crate::best::Best;
 use crate::finish::finished;
 use crate::input::Input;
@@ -106,25 +106,23 @@ impl Tries<'_> {
                 return self.best.fail(remedy, e);
             }
         };
-        for (proposal, remedy) in proposed.into_iter().zip([remedy, Remedy::OtherBase]) {
+        for (stages, remedy) in proposed.iter().zip([remedy, Remedy::OtherBase]) {
             if self.budget.is_spent() {
                 return ControlFlow::Break(());
             }
-            self.proposal(remedy, proposal, start, run)?;
+            self.base(remedy, stages, start, run)?;
             start = Instant::now();
         }
         ControlFlow::Continue(())
     }
 
     /// Tries a base mesh. Breaks where nothing more shall be tried.
-    fn proposal(&mut self, remedy: Remedy, proposal: Proposal, start: Instant, run: &mut Run) -> ControlFlow<()> {
-        let BaseStages { way, ref base, ref counts, .. } = *proposal.stages();
-        self.needed = self.needed.max(counts.needed);
-        self.budget.spend(base.mesh().n_faces());
-        let searched = proposal.searched(self.options, run);
-        let result = searched.and_then(|stages| finished(self.input, &stages, self.options, run));
+    fn base(&mut self, remedy: Remedy, stages: &BaseStages, start: Instant, run: &mut Run) -> ControlFlow<()> {
+        self.needed = self.needed.max(stages.counts.needed);
+        self.budget.spend(stages.base.mesh().n_faces());
+        let result = finished(self.input, stages, self.options, run);
         let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, self.options, remeshed));
-        run.record(remedy, Some(way), verdict.clone(), start);
+        run.record(remedy, Some(stages.way), verdict.clone(), start);
         match result {
             Ok(remeshed) => self.best.pass(remedy, verdict, remeshed),
             Err(e) => self.best.fail(remedy, e),
@@ -138,9 +136,8 @@ fn first_base(input: &Input, options: &Options, run: &mut Run) -> Result<BaseSta
     for &(remedy, ref setting) in &PLAN {
         let start = Instant::now();
         let next = match proposals(input, options, setting, 0, &|_, _| Ok(()), run) {
-            Ok(proposed) => match proposed.into_iter().next().map(|first| first.searched(options, run)) {
-                Some(Ok(stages)) => best.pass(remedy, Verdict::Certified, stages),
-                Some(Err(e)) => best.fail(remedy, e),
+            Ok(proposed) => match proposed.into_iter().next() {
+                Some(stages) => best.pass(remedy, Verdict::Certified, stages),
                 None => ControlFlow::Continue(()),
             },
             Err(e) => {

@@ -3,7 +3,6 @@
 mod decimation;
 mod given;
 mod patches;
-mod proposal;
 mod proposals;
 mod rating;
 mod search;
@@ -12,7 +11,6 @@ mod stages;
 mod way;
 
 pub use patches::Patches;
-pub(crate) use proposal::Proposal;
 pub(crate) use proposals::proposals;
 pub(crate) use setting::Setting;
 pub use stages::{Base, BaseCounts, BaseStages, CellCounts};

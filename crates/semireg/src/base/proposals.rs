@@ -3,8 +3,7 @@
 use super::decimation::decimation;
 use super::given::given;
 use super::patches::{Patches, patches};
-use super::proposal::Proposal;
-use super::search::{Search, retraced};
+use super::search::{Searched, retraced, searched};
 use super::setting::Setting;
 use super::stages::{Base, BaseCounts, BaseStages};
 use super::way::Way;
@@ -30,11 +29,11 @@ pub(crate) fn proposals(
     needed: usize,
     admits: &Admits<'_>,
     run: &mut Run,
-) -> Result<Vec<Proposal>, Error> {
+) -> Result<Vec<BaseStages>, Error> {
     if let Some(base) = &input.given {
         let stages = given(input, base, options, run)?;
         admits(stages.base.mesh().n_vertices(), stages.base.mesh().n_faces())?;
-        return Ok(vec![Proposal::new(stages, None)]);
+        return Ok(vec![stages]);
     }
     let at_least = if setting.as_needed { needed.max(input.asked) } else { input.asked };
     let wanted = (at_least as f64 * setting.base_vertices).round() as usize;
@@ -43,7 +42,7 @@ pub(crate) fn proposals(
     admits(least.vertices, least.triangles)?;
     let base_edge_length = equilateral_edge_length(surface.mesh().total_area(), wanted);
     let sizing_options = SizingOptions { turn: setting.turn, ..SizingOptions::new(base_edge_length) };
-    let sizing = Arc::new(run.stage("sizing", || sizing::sizing(&surface, &sizing_options))?);
+    let sizing = run.stage("sizing", || sizing::sizing(&surface, &sizing_options))?;
     let ways = Ways { input, options, surface: &surface, sizing: &sizing, wanted, admits };
     let Made { patches, rated, faults } = ways.both(run)?;
     let proposal = |rated: Rated| {
@@ -51,7 +50,7 @@ pub(crate) fn proposals(
         let needed = patches.as_ref().map_or(made, |p| p.needed.min(made));
         let split = patches.iter().filter(|p| rated.way == Way::Patches && p.n_split > 0);
         let split = split.map(|p| format!("{} patches were too long or too winding to lay flat and were split", p.n_split));
-        let stages = BaseStages {
+        BaseStages {
             cleaned: input.cleaned.clone(),
             surface: surface.clone(),
             patches: patches.clone(),
@@ -59,8 +58,7 @@ pub(crate) fn proposals(
             counts: BaseCounts { asked: input.asked, needed, made, reason: reason(input.asked, made, &surface, setting) },
             base: Arc::new(Base::Mapped(rated.base)),
             warnings: split.chain(rated.faults).chain(faults.clone()).collect(),
-        };
-        Proposal::new(stages, Some(rated.search))
+        }
     };
     Ok(rated.into_iter().map(proposal).collect())
 }
@@ -81,7 +79,7 @@ struct Ways<'a> {
     input: &'a Input,
     options: &'a Options,
     surface: &'a Surface,
-    sizing: &'a Arc<Sizing>,
+    sizing: &'a Sizing,
     wanted: usize,
     admits: &'a Admits<'a>,
 }
@@ -96,9 +94,9 @@ struct Made {
 
 /// A base mesh, and what it promises.
 struct Rated {
+    rating: f64,
     way: Way,
     base: BaseMesh,
-    search: Search,
     /// What went wrong on the way to it.
     faults: Vec<String>,
 }
@@ -128,17 +126,18 @@ impl Ways<'_> {
             (Err(e), Ok(decimated)) => (None, vec![decimated], failed(Way::Patches, &e)),
             (Err(_), Err(e @ (Error::TooLarge { .. } | Error::Cancelled))) | (Err(e), Err(_)) => return Err(e),
         };
-        rated.sort_by(|a, b| b.search.rating.total_cmp(&a.search.rating));
+        rated.sort_by(|a, b| b.rating.total_cmp(&a.rating));
         Ok(Made { patches, rated, faults: faults.into_iter().collect() })
     }
 
-    /// A base mesh with a map of its own, and what it promises.
+    /// A base mesh with a map of its own, after the search for better connectivity, and its rating.
     fn rated(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
-        let (base, faults) = run.stage("retrace", || Ok::<_, Error>(retraced(self.surface, base)))?;
-        let rate = || Search::new(self.surface, self.sizing.clone(), &base, self.input.asked, self.options);
-        let search = run.stage("rate", rate)?;
-        Ok(Rated { way, base, search, faults })
+        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(self.surface, base)))?;
+        let search = || searched(self.surface, self.sizing, base, self.input.asked, self.options);
+        let Searched { rating, base, faults: of_search } = run.stage("search", search)?;
+        faults.extend(of_search);
+        Ok(Rated { rating, way, base, faults })
     }
 }
 

@@ -5,64 +5,60 @@ use crate::{Error, Options};
 use basemesh::Replay;
 use region_map::{BaseMesh, Sizing, Surface};
 use relax::Relaxed;
-use std::sync::Arc;
 
 /// A base mesh of more faces is not searched: it would take minutes, and it has more vertices than anybody asks for.
 const MOST_FACES: usize = 6_000;
 
-/// The search for a better base mesh, from its relaxed first subdivision.
-pub(super) struct Search {
-    sizing: Arc<Sizing>,
-    relaxed: Relaxed,
-    /// What the base mesh promises as it is.
+/// A base mesh after the search, and what it promises.
+pub(super) struct Searched {
     pub(super) rating: f64,
-}
-
-/// What a search found.
-pub(super) struct Found {
-    /// A better base mesh; `None` where there is none.
-    pub(super) base: Option<BaseMesh>,
+    pub(super) base: BaseMesh,
     /// Faults of ours on the way: the base mesh is as it was before them.
     pub(super) faults: Vec<String>,
 }
 
-impl Search {
-    /// Rates a base mesh as it is. Fails where it cannot be subdivided, projected or relaxed.
-    pub(super) fn new(
-        surface: &Surface,
-        sizing: Arc<Sizing>,
-        base: &BaseMesh,
-        asked: usize,
-        options: &Options,
-    ) -> Result<Self, Error> {
-        let relaxed = relaxed_once(surface, base, options)?;
-        let rating = rate(surface, base, &relaxed, asked);
-        Ok(Self { sizing, relaxed, rating })
+/// The base mesh after edits that lower the energy of its relaxed first subdivision, if that is rated higher. Fails where the base mesh
+/// cannot be subdivided, projected or relaxed.
+pub(super) fn searched(
+    surface: &Surface,
+    sizing: &Sizing,
+    base: BaseMesh,
+    asked: usize,
+    options: &Options,
+) -> Result<Searched, Error> {
+    let relaxed = relaxed_once(surface, &base, options)?;
+    let before = Searched { rating: rate(surface, &base, &relaxed, asked), base, faults: Vec::new() };
+    if before.base.mesh().n_faces() > MOST_FACES {
+        return Ok(before);
     }
-
-    /// Searches edits that lower the energy of the relaxed first subdivision. What they lead to is better if it is rated higher.
-    pub(super) fn run(&self, surface: &Surface, base: &BaseMesh, asked: usize, options: &Options) -> Found {
-        if base.mesh().n_faces() > MOST_FACES {
-            return Found { base: None, faults: Vec::new() };
+    match found(surface, sizing, &before.base, &relaxed, asked, options) {
+        Ok(Some(found)) if found.rating > before.rating => Ok(found),
+        Ok(Some(found)) => Ok(Searched { faults: found.faults, ..before }),
+        Ok(None) => Ok(before),
+        // There still is the base mesh as it was.
+        Err(e) => {
+            Ok(Searched { faults: vec![format!("the search for better connectivity failed: {}", e.with_request())], ..before })
         }
-        self.edited(surface, base, asked, options).unwrap_or_else(|e| {
-            let told = format!("the search for better connectivity failed: {}", e.with_request());
-            Found { base: None, faults: vec![told] }
-        })
     }
+}
 
-    fn edited(&self, surface: &Surface, base: &BaseMesh, asked: usize, options: &Options) -> Result<Found, Error> {
-        let mut replay = Replay::new(surface, base.clone())?;
-        let domain = &self.relaxed.domain;
-        let edits = reconnect::reconnect(surface, domain, &self.sizing, &Default::default(), |edit| replay.edit(edit))?.edits;
-        if edits.is_empty() {
-            return Ok(Found { base: None, faults: Vec::new() });
-        }
-        let (base, faults) = retraced(surface, replay.finish()?);
-        let relaxed = relaxed_once(surface, &base, options)?;
-        let is_better = rate(surface, &base, &relaxed, asked) > self.rating;
-        Ok(Found { base: is_better.then_some(base), faults })
+/// The base mesh after the edits that the search finds, with a map of its own; `None` where it finds none.
+fn found(
+    surface: &Surface,
+    sizing: &Sizing,
+    base: &BaseMesh,
+    relaxed: &Relaxed,
+    asked: usize,
+    options: &Options,
+) -> Result<Option<Searched>, Error> {
+    let mut replay = Replay::new(surface, base.clone())?;
+    let edits = reconnect::reconnect(surface, &relaxed.domain, sizing, &Default::default(), |edit| replay.edit(edit))?.edits;
+    if edits.is_empty() {
+        return Ok(None);
     }
+    let (base, faults) = retraced(surface, replay.finish()?);
+    let relaxed = relaxed_once(surface, &base, options)?;
+    Ok(Some(Searched { rating: rate(surface, &base, &relaxed, asked), base, faults }))
 }
 
 /// The base mesh with a map of its own instead of the history of its edits, which distorts. Where edges cannot be traced, that history still
