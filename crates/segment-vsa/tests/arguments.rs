@@ -1,33 +1,10 @@
 //! Whatever the arguments are, there are patches or an error, and no panic.
 
-use mesh_core::{IdVec, TriMesh};
+use mesh_core::IdVec;
+use odd_arguments::{odd, shape, unit};
 use proptest::prelude::*;
 use region_map::{Cells, PatchId, Segmentation, Surface};
 use segment_vsa::{SplitError, VsaOptions, segment, split};
-
-/// Numbers that nobody means to hand in, and ordinary ones.
-fn odd() -> impl Strategy<Value = f64> {
-    let special = [0.0, -0.0, -1.0, 1.0, 1e-300, 1e300, f64::MAX, f64::MIN_POSITIVE, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
-    prop_oneof![prop::sample::select(special.to_vec()), 0.0..200.0f64, -1.0..2.0f64]
-}
-
-/// A unit of length, so that areas and volumes may be no numbers.
-fn unit() -> impl Strategy<Value = f64> {
-    prop_oneof![3 => Just(1.0), 1 => prop::sample::select(vec![1e-200, 1e-160, 1e-80, 1e80, 1e160, 1e300])]
-}
-
-fn shape(which: usize, unit: f64) -> TriMesh {
-    let mesh = match which {
-        0 => fixtures::plane(),
-        1 => fixtures::cube(2),
-        2 => fixtures::cylinder(0.5, 1.0, 8),
-        3 => fixtures::torus(1.0, 0.4, 8, 6),
-        4 => fixtures::cone(1.0, 1.0, 8),
-        _ => fixtures::shell(8),
-    };
-    let scaled = mesh.positions().iter().map(|&p| unit * (p / mesh.diagonal())).collect();
-    mesh.with_positions(scaled).unwrap()
-}
 
 #[test]
 fn what_cannot_be_split_is_named() {

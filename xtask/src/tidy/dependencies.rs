@@ -38,6 +38,8 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
         "reconnect" => Some([BASIS, &["relax"]].concat()),
         stage if STAGES.contains(&stage) => Some(BASIS.to_vec()),
         "semireg" => Some([BASIS, STAGES, &["certify"]].concat()),
+        // For the property tests of the stages only.
+        "odd-arguments" => Some([BASIS, &["fixtures"]].concat()),
         "cli" => Some([BASIS, &["mesh-io", "features", "certify", "view", "semireg"]].concat()),
         _ => None,
     }
