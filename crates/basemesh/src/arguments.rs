@@ -2,7 +2,7 @@
 
 use crate::{BaseError, BaseOptions};
 use mesh_core::Id as _;
-use region_map::{BaseMesh, CellArc, Cells, Sites, Sizing, Surface};
+use region_map::{CellArc, Cells, Sites, Sizing, Surface};
 
 /// More base vertices than this are refused: the memory that they take is beyond any use.
 const MOST_VERTICES: usize = 10_000_000;
@@ -24,19 +24,6 @@ pub(crate) fn check_wishes(surface: &Surface, sizing: &Sizing, options: &BaseOpt
     let is_length = |x: &f64| x.is_finite() && *x > 0.0;
     if sizing.relative.len() != surface.mesh().n_vertices() || !sizing.relative.iter().all(is_length) {
         return Err(BaseError::OtherSurface("the sizing field"));
-    }
-    Ok(())
-}
-
-/// A base mesh is one of the surface, and its map leads onto it.
-pub(crate) fn check_base(surface: &Surface, base: &BaseMesh) -> Result<(), BaseError> {
-    base.domain.check(surface.network())?;
-    if base.mesh().faces() != base.domain.topology.faces() {
-        return Err(BaseError::OtherSurface("the topology of the base mesh"));
-    }
-    let is_whole = base.map_faces.len() == base.mesh().n_faces() && base.map_faces.iter().all(|&f| base.map.is_present(f));
-    if !is_whole || !base.map.is_of(surface.mesh()) {
-        return Err(BaseError::OtherSurface("the map of the base mesh"));
     }
     Ok(())
 }

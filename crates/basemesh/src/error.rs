@@ -1,7 +1,7 @@
 //! What can go wrong between sites and base mesh.
 
 use mesh_core::VertexId;
-use region_map::{PatchId, RegionMapError};
+use region_map::{BaseMeshError, PatchId, RegionMapError};
 
 /// Why there is no base mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -32,4 +32,13 @@ pub enum BaseError {
     /// The patches don't join to a mesh: a bug of ours.
     #[error("internal error: the patches do not join to a base mesh ({0}); please report this with the input file")]
     Internal(String),
+}
+
+impl From<BaseMeshError> for BaseError {
+    fn from(error: BaseMeshError) -> Self {
+        match error {
+            BaseMeshError::Region(e) => Self::Unfit(e),
+            BaseMeshError::OtherSurface(what) => Self::OtherSurface(what),
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::system::Freedom;
 use glam::DVec3;
-use mesh_core::{FaceId, Id, IdVec, MeshError, SurfacePoint, TriMesh, VertexId, walk};
+use mesh_core::{FaceId, Id, IdVec, MeshError, SurfacePoint, TriMesh, VertexId, walk_end};
 use rayon::prelude::*;
 use region_map::{Attachment, Domain, Surface};
 
@@ -68,7 +68,7 @@ impl Placement {
             place.height = (place.height + rise).clamp(-bound, bound);
             let along = slide * (displacement - rise * normal).clamp_length_max(SLIDE * edges[v]);
             if along != DVec3::ZERO {
-                let point = walk(surface.mesh(), surface.topology(), place.point, along, may_cross).end;
+                let point = walk_end(surface.mesh(), surface.topology(), place.point, along, may_cross);
                 if let Some(normal) = normal_at(surface, point) {
                     place = Place { point, foot: point.position(surface.mesh()), normal: Some(normal), ..place };
                 }

@@ -1,6 +1,6 @@
 //! The base mesh with its ties to the working mesh.
 
-use crate::{BaseMap, Domain, MapFaceId};
+use crate::{BaseMap, Domain, MapFaceId, RegionMapError, Surface};
 use glam::DVec3;
 use mesh_core::{FaceId, Id as _, IdVec, SurfacePoint, TriMesh};
 
@@ -18,7 +18,31 @@ pub struct BaseMesh {
     pub map_faces: IdVec<FaceId, MapFaceId>,
 }
 
+/// Why something is not the base mesh of a surface.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BaseMeshError {
+    /// Its domain does not fit the surface.
+    #[error(transparent)]
+    Region(#[from] RegionMapError),
+    /// A part of it is of another mesh or surface.
+    #[error("{0} is of another mesh or surface")]
+    OtherSurface(&'static str),
+}
+
 impl BaseMesh {
+    /// Checks that it is a base mesh of the surface, and that its map leads onto that.
+    pub fn check(&self, surface: &Surface) -> Result<(), BaseMeshError> {
+        self.domain.check(surface.network())?;
+        if self.mesh().faces() != self.domain.topology.faces() {
+            return Err(BaseMeshError::OtherSurface("the topology of the base mesh"));
+        }
+        let is_whole = self.map_faces.len() == self.mesh().n_faces() && self.map_faces.iter().all(|&f| self.map.is_present(f));
+        if !is_whole || !self.map.is_of(surface.mesh()) {
+            return Err(BaseMeshError::OtherSurface("the map of the base mesh"));
+        }
+        Ok(())
+    }
+
     /// Vertices and faces.
     pub fn mesh(&self) -> &TriMesh {
         &self.domain.mesh

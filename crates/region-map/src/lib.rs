@@ -46,7 +46,7 @@ mod surface;
 
 pub use base_edit::BaseEdit;
 pub use base_map::{BaseMap, Chart, ChartFace, ChartId, MapError, MapFaceId, flat_barycentric};
-pub use base_mesh::BaseMesh;
+pub use base_mesh::{BaseMesh, BaseMeshError};
 pub use cells::{CellArc, CellArcId, CellCornerId, CellError, CellPatch, Cells};
 pub use chain::spokes;
 pub use domain::{Domain, DomainError};

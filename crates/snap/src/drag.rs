@@ -2,7 +2,7 @@
 
 use crate::assignment::Assignment;
 use glam::DVec3;
-use mesh_core::{VertexId, walk};
+use mesh_core::{VertexId, walk_end};
 use region_map::{Attachment, Domain, RegionMap};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,6 +38,6 @@ pub(crate) fn drag(assignment: &Assignment, region: &mut RegionMap) {
     }
     let may_cross = |e| !surface.network().is_barrier(e);
     for v in free {
-        region.points[v] = walk(surface.mesh(), surface.topology(), region.points[v], ways[&v], may_cross).end;
+        region.points[v] = walk_end(surface.mesh(), surface.topology(), region.points[v], ways[&v], may_cross);
     }
 }

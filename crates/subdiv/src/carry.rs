@@ -2,7 +2,7 @@
 
 use crate::matching::{Matching, Subdivided, matching};
 use crate::{SubdivError, subdivide};
-use mesh_core::{FaceId, Id as _, TriMesh, VertexId, walk};
+use mesh_core::{FaceId, Id as _, TriMesh, VertexId, walk_end};
 use region_map::{ArcSpan, Attachment, Domain, RegionMap, Surface};
 
 /// A domain after edges of its base mesh were bisected.
@@ -62,7 +62,7 @@ fn carried_region(surface: &Surface, before: &RegionMap, finest: &RegionMap, mat
                 let position = |v: VertexId| all.points[v].position(surface.mesh());
                 let way = position(a).midpoint(position(b)) - position(start);
                 let may_cross = |e| !surface.network().is_barrier(e);
-                let end = walk(surface.mesh(), surface.topology(), all.points[start], way, may_cross).end;
+                let end = walk_end(surface.mesh(), surface.topology(), all.points[start], way, may_cross);
                 (Attachment::Sheet(sheet), end)
             }
             Attachment::Arc { .. } | Attachment::Corner(_) => {

@@ -22,7 +22,7 @@ const SAMPLES: usize = 12;
 /// present map is still good then.
 pub fn retrace(surface: &Surface, base: &BaseMesh) -> Result<BaseMesh, Untraced> {
     let Domain { mesh, topology, region } = &base.domain;
-    check(surface, base)?;
+    base.check(surface).map_err(|_| Untraced::OtherSurface)?;
     let tied = Tied {
         surface,
         base: mesh,
@@ -36,17 +36,6 @@ pub fn retrace(surface: &Surface, base: &BaseMesh) -> Result<BaseMesh, Untraced>
     let domain = base.domain.placed(surface, region).map_err(|_| Untraced::NotFinite)?;
     let map_faces = (0..mesh.n_faces()).map(MapFaceId::new).collect();
     Ok(BaseMesh { domain, map, map_faces })
-}
-
-/// A base mesh is one of the surface, and its map leads onto it.
-fn check(surface: &Surface, base: &BaseMesh) -> Result<(), Untraced> {
-    let Domain { mesh, topology, .. } = &base.domain;
-    let fits = base.domain.check(surface.network()).is_ok()
-        && mesh.faces() == topology.faces()
-        && base.map_faces.len() == mesh.n_faces()
-        && base.map_faces.iter().all(|&f| base.map.is_present(f))
-        && base.map.is_of(surface.mesh());
-    fits.then_some(()).ok_or(Untraced::OtherSurface)
 }
 
 /// The base vertex at every corner; `None` where a corner has none.

@@ -1,7 +1,6 @@
 //! More base vertices in a few places.
 
 use crate::BaseError;
-use crate::arguments::check_base;
 use crate::editor::Editor;
 use mesh_core::VertexId;
 use region_map::{BaseMesh, Surface};
@@ -12,7 +11,7 @@ use region_map::{BaseMesh, Surface};
 /// An edge on an arc is halved by arc length, any other one where the map has its middle. Fails where there is no such edge (any more),
 /// and for a base mesh that does not fit the surface.
 pub fn bisect(surface: &Surface, base: BaseMesh, edges: &[[VertexId; 2]]) -> Result<BaseMesh, BaseError> {
-    check_base(surface, &base)?;
+    base.check(surface)?;
     let mut editor = Editor::new(surface, base);
     for &[a, b] in edges {
         editor.split(a, b).ok_or(BaseError::NoSuchEdge(a, b))?;

@@ -1,7 +1,6 @@
 //! What would end in triangles without area, in a base mesh from elsewhere: straight corners and needles.
 
 use crate::BaseError;
-use crate::arguments::check_base;
 use crate::editor::Editor;
 use crate::improve::open_straight_corners;
 use mesh_core::VertexId;
@@ -31,7 +30,7 @@ pub struct Mended {
 ///
 /// Fails where the base mesh does not fit the surface.
 pub fn mend(surface: &Surface, base: BaseMesh) -> Result<Mended, BaseError> {
-    check_base(surface, &base)?;
+    base.check(surface)?;
     let mut editor = Editor::new(surface, base);
     let (mut straight_corners, mut moved) = (0, 0);
     for _ in 0..STRAIGHT_ROUNDS {

@@ -1,7 +1,6 @@
 //! Edits that are chosen elsewhere.
 
 use crate::BaseError;
-use crate::arguments::check_base;
 use crate::editor::{Editor, Filling};
 use region_map::{BaseEdit, BaseMesh, Surface};
 
@@ -13,7 +12,7 @@ pub struct Replay<'a> {
 impl<'a> Replay<'a> {
     /// Begins with a base mesh. Fails when it does not fit the surface.
     pub fn new(surface: &'a Surface, base: BaseMesh) -> Result<Self, BaseError> {
-        check_base(surface, &base)?;
+        base.check(surface)?;
         Ok(Self { editor: Editor::new(surface, base) })
     }
 
