@@ -152,3 +152,37 @@ fn reason(asked: usize, made: usize, surface: &Surface, setting: &Setting) -> St
     let (corners, arcs) = (surface.network().corners.len(), surface.network().arcs.len());
     format!("asked {asked}, took {made}: {corners} corners and {arcs} arcs must be kept, and the shape between them")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::rating::{rate, relaxed_once};
+    use super::*;
+    use crate::progress::Watch;
+    use crate::rescue::PLAN;
+    use mesh_core::TriMesh;
+
+    /// What the base meshes of a shape are rated, in the order in which they are proposed.
+    fn rated(mesh: &TriMesh, base_vertices: usize) -> Vec<(Way, f64)> {
+        let options = Options { base_vertices: Some(base_vertices), ..Options::default() };
+        let run = &mut Run::new(Watch::default());
+        let input = Input::new(&mesh.to_soup(), &options, run).unwrap();
+        let proposed = proposals(&input, &options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
+        let rated = |stages: &BaseStages| {
+            let base = stages.base.mapped().unwrap();
+            let relaxed = relaxed_once(&stages.surface, base, &options).unwrap();
+            (stages.way, rate(&stages.surface, base, &relaxed, input.asked))
+        };
+        proposed.iter().map(rated).collect()
+    }
+
+    #[test]
+    fn both_ways_are_proposed_and_the_better_one_is_tried_first() {
+        let shapes = [fixtures::torus(1.0, 0.4, 32, 16), fixtures::cube(4), fixtures::l_block(4), fixtures::blob(8)];
+        let orders: Vec<Vec<(Way, f64)>> = shapes.iter().map(|shape| rated(shape, 60)).collect();
+        for order in &orders {
+            assert!(matches!(order[..], [(first, better), (second, worse)] if first != second && better >= worse), "{order:?}");
+        }
+        // Each way wins on one of them; else the order could be fixed and this test would not tell.
+        assert!([Way::Patches, Way::Decimation].iter().all(|way| orders.iter().any(|order| order[0].0 == *way)), "{orders:?}");
+    }
+}

@@ -75,3 +75,63 @@ fn passed(certified: Certified) -> Result<Certified, Error> {
         None => Ok(certified),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::place::{Placed, placed};
+    use super::*;
+    use crate::base::proposals;
+    use crate::input::Input;
+    use crate::progress::Watch;
+    use crate::rescue::PLAN;
+    use certify::{Faults, faulty_faces};
+    use glam::DVec3;
+
+    /// A sphere's finest level, relaxed.
+    fn sphere(options: &Options, run: &mut Run) -> Candidate {
+        let input = Input::new(&fixtures::icosphere(12).to_soup(), options, run).unwrap();
+        let proposed = proposals(&input, options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
+        let Placed { candidate, .. } = placed(&input, &proposed[0], options, run).unwrap();
+        candidate
+    }
+
+    /// A mesh in which a face is a flat tent, with a small triangle for its top that faces inwards.
+    fn with_tent(mesh: &TriMesh, face: FaceId, top: DVec3) -> TriMesh {
+        const SIZE_OF_TOP: f64 = 0.1;
+        let n = mesh.n_vertices() as u32;
+        let corners = mesh.face(face);
+        let mut positions: Vec<DVec3> = mesh.positions().iter().copied().collect();
+        // As from the middle of the face to its corners, but the other way around.
+        let mirrored = [corners[0], corners[2], corners[1]];
+        positions.extend(mirrored.map(|v| top + (mesh.position(v) - mesh.centroid(face)) * SIZE_OF_TOP));
+        let others = mesh.faces().ids().filter(|&f| f != face).map(|f| mesh.face(f).map(|v| v.0));
+        let [a, b, c] = corners.map(|v| v.0);
+        let [d, e, f] = [n, n + 1, n + 2];
+        let tent = [[d, e, f], [a, b, e], [a, e, d], [b, c, f], [b, f, e], [c, a, d], [c, d, f]];
+        let faces: Vec<[u32; 3]> = others.chain(tent).collect();
+        let positions: Vec<[f64; 3]> = positions.iter().map(|p| p.to_array()).collect();
+        TriMesh::from_slices(&positions, &faces).unwrap()
+    }
+
+    /// The fit lifts a triangle onto what faces the other way; the second try leaves that triangle where it was, and fits all others.
+    #[test]
+    fn triangles_that_the_fit_turns_over_are_held_in_the_next_try() {
+        let options = Options { base_vertices: Some(12), levels: 2, ..Options::default() };
+        let mut run = Run::new(Watch::default());
+        let candidate = sphere(&options, &mut run);
+        let relaxed = &candidate.relaxed.domain;
+        let fitted = fit::fit(&candidate.surface, relaxed, options.fit.as_ref().unwrap()).unwrap();
+        let face = FaceId(7);
+        let reference = Reference::new(with_tent(&relaxed.mesh, face, fitted.domain.mesh.centroid(face))).unwrap();
+        assert_eq!(faulty_faces(&reference, &fitted.domain.mesh), Faults { flipped: vec![face], degenerate: Vec::new() });
+
+        let mut warnings = Vec::new();
+        let certified = certified(&reference, &candidate, &options, &mut run, &mut warnings).unwrap();
+        assert!(certified.fit.is_some_and(|fit| fit.used) && warnings.is_empty(), "{warnings:?}");
+        assert!(relaxed.mesh.face(face).iter().all(|&v| certified.offsets[v] == 0.0));
+        assert!(certified.offsets.iter().filter(|&&offset| offset != 0.0).count() > relaxed.mesh.n_vertices() / 2);
+        let (_, attempts) = run.end(0.0);
+        let tried: Vec<Remedy> = attempts.iter().map(|a| a.remedy).collect();
+        assert_eq!(tried, [Remedy::Fit]);
+    }
+}
