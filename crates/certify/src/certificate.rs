@@ -306,4 +306,13 @@ mod tests {
         assert!(matches!(certify(&square, &flat, 0, &MeasureOptions::default()), Err(MeasureError::Remeshed(_))));
         assert!(matches!(Reference::new(flat), Err(MeasureError::Original(_))));
     }
+
+    #[test]
+    fn an_interrupted_measurement_is_an_error() {
+        let interrupt = mesh_core::Interrupt::default();
+        let reference = Reference::new(cube()).unwrap().with_interrupt(interrupt.clone());
+        assert!(certify(&reference, &cube(), 0, &MeasureOptions { samples: 1000 }).is_ok());
+        interrupt.set();
+        assert!(matches!(certify(&reference, &cube(), 0, &MeasureOptions { samples: 1000 }), Err(MeasureError::Interrupted)));
+    }
 }

@@ -18,7 +18,7 @@ impl NoSurface {
     }
 }
 
-/// One of two meshes cannot be measured.
+/// Two meshes are not measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum MeasureError {
     /// The original.
@@ -27,4 +27,7 @@ pub enum MeasureError {
     /// The remeshed one.
     #[error("remeshed: {0}")]
     Remeshed(NoSurface),
+    /// The caller has ended it ([`crate::Reference::with_interrupt`]).
+    #[error("measuring was interrupted")]
+    Interrupted,
 }

@@ -54,23 +54,36 @@ pub struct Measures {
 }
 
 /// Measures a remeshed mesh against its original. Fails with [`MeasureError::Remeshed`] where it has no area, or one that
-/// overflows.
+/// overflows, and with [`MeasureError::Interrupted`] between two measures.
 pub fn measure(original: &Reference, remeshed: &TriMesh, options: &MeasureOptions) -> Result<Measures, MeasureError> {
     NoSurface::check(remeshed).map_err(MeasureError::Remeshed)?;
-    let (welded, index, unit) = (Welded::of(remeshed), SurfaceIndex::new(remeshed), original.diagonal());
+    let (welded, unit) = (Welded::of(remeshed), original.diagonal());
+    original.go_on()?;
+    let index = SurfaceIndex::new(remeshed);
+    original.go_on()?;
     let samples = options.samples.clamp(1, MOST_SAMPLES);
-    let distance = Distance {
-        forward: one_way(&sampling::on_faces(remeshed, samples), welded.mesh().positions().as_slice(), original.index(), unit),
-        backward: one_way(&original.samples(samples), original.vertices(), &index, unit),
-    };
+    let on_remeshed = sampling::on_faces(remeshed, samples);
+    let forward = one_way(&on_remeshed, welded.mesh().positions().as_slice(), original.index(), unit);
+    original.go_on()?;
+    let backward = one_way(&original.samples(samples), original.vertices(), &index, unit);
+    original.go_on()?;
+    let (creases, border) =
+        (crease_cover(original.on_creases(), &welded, unit), border_distance(original.on_border(), &welded, unit));
+    original.go_on()?;
+    let flipped = original.topologies().indexed.oriented.then(|| flipped(original, remeshed));
+    original.go_on()?;
+    let original_self_intersecting = original.self_intersecting().len();
+    original.go_on()?;
+    let remeshed_self_intersecting = intersections::among(remeshed, &welded, &index).len();
+    original.go_on()?;
     Ok(Measures {
         quality: quality::with_welded(remeshed, &welded),
-        distance,
-        creases: crease_cover(original.on_creases(), &welded, unit),
-        border: border_distance(original.on_border(), &welded, unit),
-        flipped: original.topologies().indexed.oriented.then(|| flipped(original, remeshed)),
-        original_self_intersecting: original.self_intersecting().len(),
-        remeshed_self_intersecting: intersections::among(remeshed, &welded, &index).len(),
+        distance: Distance { forward, backward },
+        creases,
+        border,
+        flipped,
+        original_self_intersecting,
+        remeshed_self_intersecting,
         original_topology: original.topologies(),
         remeshed_topology: Topologies::of(remeshed, &welded),
     })

@@ -8,7 +8,7 @@ use crate::sampling;
 use crate::topology::Topologies;
 use crate::weld::Welded;
 use glam::DVec3;
-use mesh_core::{FaceId, SurfaceIndex, TriMesh};
+use mesh_core::{FaceId, Interrupt, SurfaceIndex, TriMesh};
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
@@ -22,6 +22,7 @@ pub struct Reference {
     welded: Welded,
     index: SurfaceIndex,
     diagonal: f64,
+    interrupt: Interrupt,
     topologies: OnceLock<Topologies>,
     self_intersecting: OnceLock<Vec<FaceId>>,
     samples: OnceLock<Vec<DVec3>>,
@@ -39,12 +40,23 @@ impl Reference {
             index: SurfaceIndex::new(&mesh),
             diagonal: mesh.diagonal(),
             mesh,
+            interrupt: Interrupt::default(),
             topologies: OnceLock::new(),
             self_intersecting: OnceLock::new(),
             samples: OnceLock::new(),
             on_creases: OnceLock::new(),
             on_border: OnceLock::new(),
         })
+    }
+
+    /// The same with a flag that ends what is measured against it, with [`MeasureError::Interrupted`].
+    pub fn with_interrupt(self, interrupt: Interrupt) -> Self {
+        Self { interrupt, ..self }
+    }
+
+    /// Fails when the caller has ended it.
+    pub(crate) fn go_on(&self) -> Result<(), MeasureError> {
+        if self.interrupt.is_set() { Err(MeasureError::Interrupted) } else { Ok(()) }
     }
 
     /// The mesh as it is.

@@ -37,7 +37,7 @@ mod tri_mesh;
 mod triangle;
 mod walk;
 
-pub use clean::{CleanError, CleanOptions, CleanReport, Cleaned, clean};
+pub use clean::{CleanError, CleanOptions, CleanReport, Cleaned, clean, clean_until};
 pub use filling::cheapest_filling;
 pub use id::{EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 pub use inspect::{Inspection, inspect};

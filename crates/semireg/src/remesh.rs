@@ -26,8 +26,8 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
 /// The same, with a caller that follows the run and can end it.
 ///
 /// `on_progress` is called on a thread of its own, at the start of each stage and about 20 times a second. When it breaks, the run ends
-/// within a quarter of a second with [`Error::Cancelled`], but for cleaning and the certificate, which take a second or two
-/// on a million triangles and end by themselves.
+/// within a quarter of a second with [`Error::Cancelled`]; on a million triangles the longest steps of cleaning and of the certificate, which
+/// end by themselves, may take somewhat more.
 ///
 /// ```
 /// use semireg::{Error, Options, remesh_with};

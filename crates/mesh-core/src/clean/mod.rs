@@ -18,7 +18,7 @@ mod split;
 mod weld;
 
 use crate::limits::{MOST_FACES, MOST_VERTICES};
-use crate::{FaceId, IdVec, MeshError, Soup, Topology, TopologyError, TriMesh, VertexId};
+use crate::{FaceId, IdVec, Interrupt, MeshError, Soup, Topology, TopologyError, TriMesh, VertexId};
 use editable_mesh::EditableMesh;
 
 pub use report::{CleanOptions, CleanReport};
@@ -72,6 +72,9 @@ pub enum CleanError {
         /// Triangles read.
         triangles: usize,
     },
+    /// The caller has ended it ([`clean_until`]).
+    #[error("cleaning was interrupted")]
+    Interrupted,
     /// A fault of this program: the repaired faces are not a mesh.
     #[error("cleaning left a broken mesh, please report this: {0}")]
     BrokenMesh(#[from] MeshError),
@@ -82,20 +85,34 @@ pub enum CleanError {
 
 /// Makes an oriented manifold of a soup. Keeps the order of vertices and faces; a clean mesh comes back as it was.
 pub fn clean(soup: &Soup, options: &CleanOptions) -> Result<Cleaned, CleanError> {
+    clean_until(soup, options, &Interrupt::default())
+}
+
+/// The same, which fails with [`CleanError::Interrupted`] soon after `interrupt` is set.
+pub fn clean_until(soup: &Soup, options: &CleanOptions, interrupt: &Interrupt) -> Result<Cleaned, CleanError> {
     let (vertices, triangles) = (soup.positions.len(), soup.triangles.len());
     if vertices > MOST_VERTICES || triangles > MOST_TRIANGLES {
         return Err(CleanError::TooLarge { vertices, triangles });
     }
+    let go_on = || if interrupt.is_set() { Err(CleanError::Interrupted) } else { Ok(()) };
     let mut report = CleanReport::default();
     let mut mesh = weld::weld(soup, &mut report);
+    go_on()?;
     cracks::close_cracks(&mut mesh, options, &mut report);
+    go_on()?;
     repeats::drop_second_layers(&mut mesh, &mut report);
+    go_on()?;
     needles::drop_hanging(&mut mesh, &mut report);
+    go_on()?;
     repeats::drop_flaps(&mut mesh, &mut report);
+    go_on()?;
     repeats::drop_same_way(&mut mesh, &mut report);
     let pairing = loop {
+        go_on()?;
         orient::orient(&mut mesh);
+        go_on()?;
         let pairing = pairing::pair(&mesh);
+        go_on()?;
         if !repeats::drop_double_sheets(&mut mesh, &pairing.twins, &mut report) {
             break pairing;
         }
@@ -104,10 +121,12 @@ pub fn clean(soup: &Soup, options: &CleanOptions) -> Result<Cleaned, CleanError>
     report.orientation_cuts = pairing.orientation_cuts;
     report.leaf_cuts = pairing.leaf_cuts;
     report.split_edges = split::split(&mut mesh, &pairing.twins);
+    go_on()?;
     if mend::mend_zero_area(&mut mesh, &mut report) {
         let pairing = pairing::pair(&mesh);
         report.split_edges += split::split(&mut mesh, &pairing.twins);
     }
+    go_on()?;
     finish(mesh, soup, report)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::shapes::{CORNERS, TETRAHEDRON, cleaned, n_components, n_loops, ring, sheet, soup, volume, voxels};
 use glam::DVec3;
-use mesh_core::{CleanError, CleanOptions, CleanReport, FaceId, Soup, VertexId, clean, inspect};
+use mesh_core::{CleanError, CleanOptions, CleanReport, FaceId, Interrupt, Soup, VertexId, clean, clean_until, inspect};
 
 #[test]
 fn a_clean_mesh_comes_back_as_it_was() {
@@ -11,6 +11,15 @@ fn a_clean_mesh_comes_back_as_it_was() {
         assert_eq!(cleaned.mesh.to_soup(), soup);
         assert_eq!(cleaned.report, CleanReport::default());
     }
+}
+
+#[test]
+fn cleaning_that_is_interrupted_is_an_error() {
+    let interrupt = Interrupt::default();
+    let run = || clean_until(&sheet(5), &CleanOptions::default(), &interrupt);
+    assert_eq!(run().unwrap().mesh.to_soup(), sheet(5));
+    interrupt.set();
+    assert_eq!(run().unwrap_err(), CleanError::Interrupted);
 }
 
 #[test]

@@ -37,7 +37,8 @@ impl Input {
     /// Cleans and refines a soup.
     pub(crate) fn new(soup: &Soup, options: &Options, run: &mut Run) -> Result<Self, Error> {
         let given = options.base_mesh.as_ref().map(GivenBase::new).transpose()?;
-        let cleaned = run.stage("clean", || mesh_core::clean(soup, &options.clean))?;
+        let interrupt = run.interrupt().clone();
+        let cleaned = run.stage("clean", || mesh_core::clean_until(soup, &options.clean, &interrupt))?;
         let marked = marked_edges(&cleaned, &options.marked_edges)?;
         let asked = match (&given, options.base_vertices) {
             (Some(base), _) => base.mesh.n_vertices(),
@@ -54,8 +55,8 @@ impl Input {
         let Refined { mesh, topology, marked, .. } = refined;
         let borders = ArcKind::by_angle(&mesh, &topology, f64::INFINITY);
         let network = Network::trace(&mesh, &topology, &borders, |_| false, Vec::new())?;
-        let working = Surface::new(mesh, topology, network)?.with_interrupt(run.interrupt().clone());
-        let reference = Reference::new(cleaned.mesh.clone())?;
+        let working = Surface::new(mesh, topology, network)?.with_interrupt(interrupt.clone());
+        let reference = Reference::new(cleaned.mesh.clone())?.with_interrupt(interrupt);
         Ok(Self { cleaned: Arc::new(cleaned), reference, working, marked, given, asked })
     }
 
