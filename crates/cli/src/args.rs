@@ -1,7 +1,7 @@
 //! The command line as the user types it.
 
 use clap::{Parser, Subcommand};
-use semireg::Options;
+use semireg::{Method, Options};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -86,6 +86,9 @@ pub(crate) struct SourceArgs {
     /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
     #[arg(long, value_name = "FILE")]
     pub(crate) marked_edges: Option<PathBuf>,
+    /// How base meshes are made [default: best]
+    #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArg::Best, hide_default_value = true)]
+    pub(crate) method: MethodArg,
     /// Seed of all that is chosen at random
     #[arg(long, value_name = "S", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: u64,
@@ -97,6 +100,27 @@ pub(crate) struct SourceArgs {
     pub(crate) force: bool,
     #[command(flatten)]
     pub(crate) talk: Talk,
+}
+
+/// Which ways to a base mesh are gone.
+#[derive(clap::ValueEnum, Clone, Copy)]
+pub(crate) enum MethodArg {
+    /// The way that promises more; the other one where its result is not right
+    Best,
+    /// The paper's way alone: sites of patches, triangulated in charts
+    Patches,
+    /// Decimation alone
+    Decimation,
+}
+
+impl From<MethodArg> for Method {
+    fn from(method: MethodArg) -> Self {
+        match method {
+            MethodArg::Best => Self::Best,
+            MethodArg::Patches => Self::Patches,
+            MethodArg::Decimation => Self::Decimation,
+        }
+    }
 }
 
 /// How much a command says.

@@ -86,7 +86,7 @@ fn start_threads(args: &SourceArgs) -> anyhow::Result<()> {
 
 /// The options that all commands share.
 fn source_options(args: &SourceArgs) -> anyhow::Result<Options> {
-    let mut options = Options { seed: args.seed, ..Options::default() };
+    let mut options = Options { seed: args.seed, method: args.method.into(), ..Options::default() };
     options.base_vertices = args.base_vertices.map(|n| n as usize);
     let features = &mut options.features;
     features.strong_angle = args.crease_angle.unwrap_or(features.strong_angle);

@@ -156,7 +156,8 @@ impl Cells {
     /// Appends its line.
     pub(crate) fn row(&self, table: &mut Table) {
         let Self { patches, corners, arcs } = self;
-        table.row("network", format!("{corners} corners, {arcs} arcs, {patches} patches"));
+        let patches = if *patches > 0 { format!(", {patches} patches") } else { String::new() };
+        table.row("network", format!("{corners} corners, {arcs} arcs{patches}"));
     }
 }
 

@@ -30,7 +30,7 @@ mod run;
 mod verdict;
 
 pub use attempt::{Attempt, EdgeChoice, Remedy};
-pub use base::{Base, BaseCounts, BaseStages, CellCounts, Patches, Way};
+pub use base::{Base, BaseCounts, BaseStages, CellCounts, Method, Patches, Way};
 pub use error::Error;
 pub use fit::FitReport;
 pub use options::Options;

@@ -1,5 +1,6 @@
 //! What a user may choose.
 
+use crate::Method;
 use glam::DVec3;
 use mesh_core::{CleanOptions, Soup};
 
@@ -15,6 +16,8 @@ pub struct Options {
     /// Creases that its edges don't follow are given up as minor. If its edges cannot be traced on the surface, vertices are placed by rays.
     /// Warnings say so. There is one attempt, and nothing of the base mesh is changed.
     pub base_mesh: Option<Soup>,
+    /// Which ways to a base mesh are gone. Default [`Method::Best`].
+    pub method: Method,
     /// How often every base face is split in four, 0 to 8. Default 2.
     pub levels: u32,
     /// Seed of all that is chosen at random. Default 0.
@@ -38,6 +41,7 @@ impl Default for Options {
         Self {
             base_vertices: None,
             base_mesh: None,
+            method: Method::default(),
             levels: 2,
             seed: 0,
             clean: CleanOptions::default(),

@@ -1,10 +1,10 @@
 //! The verbs: one loop over the plan, which keeps the best candidate.
 
 use crate::attempt::Remedy;
-use crate::base::{BaseStages, Setting, proposals};
+use crate::base::{BaseStages, Proposals, Setting, given};
 use crate::best::Best;
 use crate::finish::finished;
-use crate::input::Input;
+use crate::input::{GivenBase, Input};
 use crate::progress::{OnProgress, Watch, watched};
 use crate::remeshed::{Based, Remeshed};
 use crate::rescue::{Budget, Loss, PLAN};
@@ -72,12 +72,10 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let budget = Budget::new(input.asked, options.levels);
     let mut tries = Tries { input, options, budget, needed: 0, best: Best::new() };
-    // A base mesh that is given is the only one.
-    let plan = if input.given.is_some() { &PLAN[..1] } else { &PLAN[..] };
-    for (remedy, setting) in plan {
-        if tries.budget.is_spent() || tries.setting(*remedy, setting, run).is_break() {
-            break;
-        }
+    match &input.given {
+        // It is the only one.
+        Some(base) => drop(tries.given(base, run)),
+        None => drop(PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run))),
     }
     let (mut remeshed, warnings) = tries.best.end()?;
     remeshed.report.warnings.splice(..0, warnings);
@@ -95,25 +93,49 @@ struct Tries<'a> {
 }
 
 impl Tries<'_> {
-    /// Tries the base meshes of a setting, the better rated first. Breaks where nothing more shall be tried.
+    /// Tries the base meshes of a setting. Breaks where nothing more shall be tried.
     fn setting(&mut self, remedy: Remedy, setting: &Setting, run: &mut Run) -> ControlFlow<()> {
+        let budget = self.budget;
+        let admits = |vertices, faces| budget.admits(vertices, faces);
         let mut start = Instant::now();
-        let admits = |vertices, faces| self.budget.admits(vertices, faces);
-        let proposed = match proposals(self.input, self.options, setting, self.needed, &admits, run) {
-            Ok(proposed) => proposed,
-            Err(e) => {
-                run.record(remedy, None, e.verdict(), start);
-                return self.best.fail(remedy, e);
-            }
+        let mut proposals = match Proposals::new(self.input, self.options, setting, self.needed, &admits, run) {
+            Ok(proposals) => proposals,
+            Err(e) => return self.no_base(remedy, e, start, run),
         };
-        for (stages, remedy) in proposed.iter().zip([remedy, Remedy::OtherBase]) {
+        for remedy in [remedy, Remedy::OtherBase] {
             if self.budget.is_spent() {
                 return ControlFlow::Break(());
             }
-            self.base(remedy, stages, start, run)?;
+            match proposals.next(run) {
+                Ok(Some(stages)) => self.base(remedy, &stages, start, run)?,
+                Ok(None) => break,
+                // Where one way led to a base mesh other settings may help.
+                Err(e) if remedy == Remedy::OtherBase => drop(self.no_base(remedy, e, start, run)),
+                Err(e) => return self.no_base(remedy, e, start, run),
+            }
             start = Instant::now();
         }
         ControlFlow::Continue(())
+    }
+
+    /// Tries the base mesh that the options give.
+    fn given(&mut self, base: &GivenBase, run: &mut Run) -> ControlFlow<()> {
+        let start = Instant::now();
+        let made = given(self.input, base, self.options, run).and_then(|stages| {
+            let mesh = stages.base.mesh();
+            self.budget.admits(mesh.n_vertices(), mesh.n_faces())?;
+            Ok(stages)
+        });
+        match made {
+            Ok(stages) => self.base(Remedy::AsAsked, &stages, start, run),
+            Err(e) => self.no_base(Remedy::AsAsked, e, start, run),
+        }
+    }
+
+    /// Takes that there is no base mesh. Breaks where nothing more shall be tried.
+    fn no_base(&mut self, remedy: Remedy, error: Error, start: Instant, run: &mut Run) -> ControlFlow<()> {
+        run.record(remedy, None, error.verdict(), start);
+        self.best.fail(remedy, error)
     }
 
     /// Tries a base mesh. Breaks where nothing more shall be tried.
@@ -132,14 +154,16 @@ impl Tries<'_> {
 
 /// Tries the settings of the plan until there is a base mesh.
 fn first_base(input: &Input, options: &Options, run: &mut Run) -> Result<BaseStages, Error> {
+    if let Some(base) = &input.given {
+        return given(input, base, options, run);
+    }
     let mut best = Best::new();
     for &(remedy, ref setting) in &PLAN {
         let start = Instant::now();
-        let next = match proposals(input, options, setting, 0, &|_, _| Ok(()), run) {
-            Ok(proposed) => match proposed.into_iter().next() {
-                Some(stages) => best.pass(remedy, Verdict::Certified, stages),
-                None => ControlFlow::Continue(()),
-            },
+        let first = Proposals::new(input, options, setting, 0, &|_, _| Ok(()), run).and_then(|mut proposals| proposals.next(run));
+        let next = match first {
+            Ok(Some(stages)) => best.pass(remedy, Verdict::Certified, stages),
+            Ok(None) => ControlFlow::Continue(()),
             Err(e) => {
                 run.record(remedy, None, e.verdict(), start);
                 best.fail(remedy, e)

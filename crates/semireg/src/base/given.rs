@@ -12,7 +12,7 @@ use std::sync::Arc;
 use trace_base::{Traced, TracedBase};
 
 /// The stages up to a base mesh that is given: it is traced onto the working mesh, and its vertices and faces keep their order.
-pub(super) fn given(input: &Input, given: &GivenBase, options: &Options, run: &mut Run) -> Result<BaseStages, Error> {
+pub(crate) fn given(input: &Input, given: &GivenBase, options: &Options, run: &mut Run) -> Result<BaseStages, Error> {
     let (given, mut warnings) = (&given.mesh, given.warnings.clone());
     let (mesh, topology) = (input.working.mesh(), input.working.topology());
     let base_edge_length = equilateral_edge_length(mesh.total_area(), given.n_vertices());

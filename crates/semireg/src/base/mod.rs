@@ -10,8 +10,9 @@ mod setting;
 mod stages;
 mod way;
 
+pub(crate) use given::given;
 pub use patches::Patches;
-pub(crate) use proposals::proposals;
+pub(crate) use proposals::Proposals;
 pub(crate) use setting::Setting;
 pub use stages::{Base, BaseCounts, BaseStages, CellCounts};
-pub use way::Way;
+pub use way::{Method, Way};

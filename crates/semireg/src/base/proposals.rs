@@ -1,7 +1,6 @@
-//! The base meshes that one setting proposes, the best first.
+//! The base meshes that one setting proposes, one after the other.
 
 use super::decimation::decimation;
-use super::given::given;
 use super::patches::{Patches, patches};
 use super::search::{Searched, retraced, searched};
 use super::setting::Setting;
@@ -9,58 +8,124 @@ use super::stages::{Base, BaseCounts, BaseStages};
 use super::way::Way;
 use crate::input::Input;
 use crate::run::Run;
-use crate::{Error, Options};
+use crate::{Error, Method, Options};
 use mesh_core::equilateral_edge_length;
 use region_map::{BaseMesh, Sizing, Surface};
 use sizing::SizingOptions;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Refuses a base mesh of so many vertices and faces where its finest level would be too large.
 pub(crate) type Admits<'a> = dyn Fn(usize, usize) -> Result<(), Error> + Sync + 'a;
 
-/// Makes the base meshes of a setting, both ways, or the one that the options give. They come in the order of their rating, the best first.
-///
-/// `needed` base vertices are what corners and arcs took in an earlier attempt, 0 in the first. What is not
-/// admitted is refused, as early as can be.
-pub(crate) fn proposals(
-    input: &Input,
-    options: &Options,
-    setting: &Setting,
-    needed: usize,
-    admits: &Admits<'_>,
-    run: &mut Run,
-) -> Result<Vec<BaseStages>, Error> {
-    if let Some(base) = &input.given {
-        let stages = given(input, base, options, run)?;
-        admits(stages.base.mesh().n_vertices(), stages.base.mesh().n_faces())?;
-        return Ok(vec![stages]);
+/// Where fewer base vertices are wanted, both ways are gone and the better rated base mesh is tried first: decimation may cut limbs off then.
+/// More costs twice the time for more models.
+const FEW: usize = 200;
+
+/// The base meshes that one setting proposes. Each is made when it is asked for.
+pub(crate) struct Proposals<'a> {
+    ground: Ground<'a>,
+    /// Ways that were not yet gone. Those of a group are gone side by side.
+    groups: VecDeque<Vec<Way>>,
+    /// What the last group proposes beside what was taken, the best first.
+    ready: VecDeque<Rated>,
+    /// What the paper's way made, if it was gone.
+    patches: Option<Arc<Patches>>,
+    /// Why ways led to no base mesh. It is told with the next one, or returned where there is none.
+    failures: Vec<(Way, Error)>,
+}
+
+/// What the base meshes of a setting are made on.
+struct Ground<'a> {
+    input: &'a Input,
+    options: &'a Options,
+    setting: &'a Setting,
+    surface: Surface,
+    sizing: Sizing,
+    wanted: usize,
+    admits: &'a Admits<'a>,
+}
+
+/// A base mesh, and what it promises.
+struct Rated {
+    rating: f64,
+    way: Way,
+    base: BaseMesh,
+    /// What the paper's way made, on that way.
+    patches: Option<Arc<Patches>>,
+    /// What went wrong on the way to it.
+    faults: Vec<String>,
+}
+
+impl<'a> Proposals<'a> {
+    /// Prepares what a setting proposes.
+    ///
+    /// `needed` base vertices are what corners and arcs took in an earlier attempt, 0 in the first. What is not
+    /// admitted is refused, as early as can be.
+    pub(crate) fn new(
+        input: &'a Input,
+        options: &'a Options,
+        setting: &'a Setting,
+        needed: usize,
+        admits: &'a Admits<'a>,
+        run: &mut Run,
+    ) -> Result<Self, Error> {
+        let at_least = if setting.as_needed { needed.max(input.asked) } else { input.asked };
+        let wanted = (at_least as f64 * setting.base_vertices).round() as usize;
+        let surface = detected(input, options, setting, wanted, run)?;
+        let least = surface.network().least_base(surface.topology());
+        admits(least.vertices, least.triangles)?;
+        let base_edge_length = equilateral_edge_length(surface.mesh().total_area(), wanted);
+        let sizing_options = SizingOptions { turn: setting.turn, ..SizingOptions::new(base_edge_length) };
+        let sizing = run.stage("sizing", || sizing::sizing(&surface, &sizing_options))?;
+        let groups = match options.method {
+            Method::Patches => vec![vec![Way::Patches]],
+            Method::Decimation => vec![vec![Way::Decimation]],
+            Method::Best if wanted < FEW => vec![vec![Way::Decimation, Way::Patches]],
+            Method::Best => vec![vec![Way::Decimation], vec![Way::Patches]],
+        };
+        let ground = Ground { input, options, setting, surface, sizing, wanted, admits };
+        Ok(Self { ground, groups: groups.into(), ready: VecDeque::new(), patches: None, failures: Vec::new() })
     }
-    let at_least = if setting.as_needed { needed.max(input.asked) } else { input.asked };
-    let wanted = (at_least as f64 * setting.base_vertices).round() as usize;
-    let surface = detected(input, options, setting, wanted, run)?;
-    let least = surface.network().least_base(surface.topology());
-    admits(least.vertices, least.triangles)?;
-    let base_edge_length = equilateral_edge_length(surface.mesh().total_area(), wanted);
-    let sizing_options = SizingOptions { turn: setting.turn, ..SizingOptions::new(base_edge_length) };
-    let sizing = run.stage("sizing", || sizing::sizing(&surface, &sizing_options))?;
-    let ways = Ways { input, options, surface: &surface, sizing: &sizing, wanted, admits };
-    let Made { patches, rated, faults } = ways.both(run)?;
-    let proposal = |rated: Rated| {
-        let made = rated.base.mesh().n_vertices();
-        let needed = patches.as_ref().map_or(made, |p| p.needed.min(made));
-        let split = patches.iter().filter(|p| rated.way == Way::Patches && p.n_split > 0);
-        let split = split.map(|p| format!("{} patches were too long or too winding to lay flat and were split", p.n_split));
-        BaseStages {
-            cleaned: input.cleaned.clone(),
-            surface: surface.clone(),
-            patches: patches.clone(),
-            way: rated.way,
-            counts: BaseCounts { asked: input.asked, needed, made, reason: reason(input.asked, made, &surface, setting) },
-            base: Arc::new(Base::Mapped(rated.base)),
-            warnings: split.chain(rated.faults).chain(faults.clone()).collect(),
+
+    /// The next base mesh; `None` where there are no more. Fails where the ways that are left lead to none.
+    pub(crate) fn next(&mut self, run: &mut Run) -> Result<Option<BaseStages>, Error> {
+        while self.ready.is_empty() {
+            let Some(group) = self.groups.pop_front() else { return self.failure().map_or(Ok(None), Err) };
+            self.go(&group, run);
         }
-    };
-    Ok(rated.into_iter().map(proposal).collect())
+        let failures = std::mem::take(&mut self.failures);
+        Ok(self.ready.pop_front().map(|rated| self.ground.stages(rated, self.patches.clone(), &failures)))
+    }
+
+    /// Goes some ways at once: none waits for the others before it has its rating.
+    fn go(&mut self, ways: &[Way], run: &mut Run) {
+        let ground = &self.ground;
+        let made = match *ways {
+            [first, second] => {
+                let (first, second) = run.side_by_side(|run| ground.rated(first, run), |run| ground.rated(second, run));
+                vec![first, second]
+            }
+            _ => ways.iter().map(|&way| ground.rated(way, run)).collect(),
+        };
+        let mut rated = Vec::new();
+        for (&way, made) in ways.iter().zip(made) {
+            match made {
+                Ok(made) => rated.push(made),
+                Err(error) => self.failures.push((way, error)),
+            }
+        }
+        self.patches = rated.iter().find_map(|r| r.patches.clone()).or(self.patches.take());
+        rated.sort_by(|a, b| b.rating.total_cmp(&a.rating));
+        self.ready = rated.into();
+    }
+
+    /// Why there is no base mesh: that it is too large or that the run has ended, else what went wrong first.
+    fn failure(&mut self) -> Option<Error> {
+        let is_last_word = |(_, e): &(Way, Error)| matches!(e, Error::TooLarge { .. } | Error::Cancelled);
+        let which = self.failures.iter().position(is_last_word).unwrap_or(0);
+        self.failures.drain(..).nth(which).map(|(_, error)| error)
+    }
 }
 
 /// The surface with its creases and corners at the resolution of so many base vertices.
@@ -74,70 +139,57 @@ fn detected(input: &Input, options: &Options, setting: &Setting, wanted: usize, 
     Ok(input.working.with_network(network)?)
 }
 
-/// Both ways to a base mesh on one surface.
-struct Ways<'a> {
-    input: &'a Input,
-    options: &'a Options,
-    surface: &'a Surface,
-    sizing: &'a Sizing,
-    wanted: usize,
-    admits: &'a Admits<'a>,
-}
-
-/// The base meshes of both ways, the best first.
-struct Made {
-    patches: Option<Arc<Patches>>,
-    rated: Vec<Rated>,
-    /// Why there is only one, where that is a fault of ours.
-    faults: Vec<String>,
-}
-
-/// A base mesh, and what it promises.
-struct Rated {
-    rating: f64,
-    way: Way,
-    base: BaseMesh,
-    /// What went wrong on the way to it.
-    faults: Vec<String>,
-}
-
-impl Ways<'_> {
-    /// Goes both ways at once: neither waits for the other before it has its rating. Fails where both do.
-    fn both(&self, run: &mut Run) -> Result<Made, Error> {
-        let (by_patches, decimated) = run.side_by_side(
-            |run: &mut Run| {
-                let patches = patches(self.surface, self.sizing, self.wanted, self.options.seed, run)?;
-                let rated = self.rated(Way::Patches, patches.base.clone(), run)?;
-                Ok::<_, Error>((Arc::new(patches), rated))
-            },
-            |run: &mut Run| {
-                let base = decimation(self.surface, self.sizing, self.wanted, run)?;
-                self.rated(Way::Decimation, base, run)
-            },
-        );
-        let failed = |way: Way, error: &Error| match error {
-            // Not a fault: the other way's base mesh is small enough.
-            Error::TooLarge { .. } => None,
-            _ => Some(format!("there is no base mesh by {}: {}", way.name(), error.with_request())),
-        };
-        let (patches, mut rated, faults) = match (by_patches, decimated) {
-            (Ok((patches, rated)), Ok(decimated)) => (Some(patches), vec![decimated, rated], None),
-            (Ok((patches, rated)), Err(e)) => (Some(patches), vec![rated], failed(Way::Decimation, &e)),
-            (Err(e), Ok(decimated)) => (None, vec![decimated], failed(Way::Patches, &e)),
-            (Err(_), Err(e @ (Error::TooLarge { .. } | Error::Cancelled))) | (Err(e), Err(_)) => return Err(e),
-        };
-        rated.sort_by(|a, b| b.rating.total_cmp(&a.rating));
-        Ok(Made { patches, rated, faults: faults.into_iter().collect() })
+impl Ground<'_> {
+    /// The base mesh of a way.
+    fn rated(&self, way: Way, run: &mut Run) -> Result<Rated, Error> {
+        if way == Way::Decimation {
+            let base = decimation(&self.surface, &self.sizing, self.wanted, run)?;
+            return self.searched(way, base, run);
+        }
+        let patches = patches(&self.surface, &self.sizing, self.wanted, self.options.seed, run)?;
+        let rated = self.searched(way, patches.base.clone(), run)?;
+        Ok(Rated { patches: Some(Arc::new(patches)), ..rated })
     }
 
     /// A base mesh with a map of its own, after the search for better connectivity, and its rating.
-    fn rated(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
+    fn searched(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
-        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(self.surface, base)))?;
-        let search = || searched(self.surface, self.sizing, base, self.input.asked, self.options);
+        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(&self.surface, base)))?;
+        let search = || searched(&self.surface, &self.sizing, base, self.input.asked, self.options);
         let Searched { rating, base, faults: of_search } = run.stage("search", search)?;
         faults.extend(of_search);
-        Ok(Rated { rating, way, base, faults })
+        Ok(Rated { rating, way, base, patches: None, faults })
+    }
+
+    /// What led to a base mesh, `patches` of the other way included, and which ways led to none.
+    fn stages(&self, rated: Rated, patches: Option<Arc<Patches>>, failures: &[(Way, Error)]) -> BaseStages {
+        let Rated { way, base, patches: own, faults, .. } = rated;
+        let split = own.filter(|p| p.n_split > 0);
+        let split = split.map(|p| format!("{} patches were too long or too winding to lay flat and were split", p.n_split));
+        // Not a fault: this base mesh is small enough.
+        let failed = failures.iter().filter(|(_, error)| !matches!(error, Error::TooLarge { .. }));
+        let failed = failed.map(|(way, e)| format!("there is no base mesh by {}: {}", way.name(), e.with_request()));
+        BaseStages {
+            cleaned: self.input.cleaned.clone(),
+            surface: self.surface.clone(),
+            way,
+            counts: self.counts(base.mesh().n_vertices(), patches.as_deref()),
+            base: Arc::new(Base::Mapped(base)),
+            warnings: split.into_iter().chain(faults).chain(failed).collect(),
+            patches,
+        }
+    }
+
+    /// So many vertices were made.
+    fn counts(&self, made: usize, patches: Option<&Patches>) -> BaseCounts {
+        let asked = self.input.asked;
+        let least = self.surface.network().least_base(self.surface.topology()).vertices;
+        let needed = match patches {
+            Some(patches) => patches.needed.min(made),
+            None if made > asked => made,
+            None => least.min(made),
+        };
+        BaseCounts { asked, needed, made, reason: reason(asked, made, &self.surface, self.setting) }
     }
 }
 
@@ -162,27 +214,37 @@ mod tests {
     use mesh_core::TriMesh;
 
     /// What the base meshes of a shape are rated, in the order in which they are proposed.
-    fn rated(mesh: &TriMesh, base_vertices: usize) -> Vec<(Way, f64)> {
-        let options = Options { base_vertices: Some(base_vertices), ..Options::default() };
+    fn rated(mesh: &TriMesh, method: Method, base_vertices: usize) -> Vec<(Way, f64)> {
+        let options = Options { base_vertices: Some(base_vertices), method, ..Options::default() };
         let run = &mut Run::new(Watch::default());
         let input = Input::new(&mesh.to_soup(), &options, run).unwrap();
-        let proposed = proposals(&input, &options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
-        let rated = |stages: &BaseStages| {
+        let mut proposals = Proposals::new(&input, &options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
+        let rated = |stages: BaseStages| {
             let base = stages.base.mapped().unwrap();
             let relaxed = relaxed_once(&stages.surface, base, &options).unwrap();
             (stages.way, rate(&stages.surface, base, &relaxed, input.asked))
         };
-        proposed.iter().map(rated).collect()
+        std::iter::from_fn(|| proposals.next(run).unwrap()).map(rated).collect()
     }
 
     #[test]
-    fn both_ways_are_proposed_and_the_better_one_is_tried_first() {
+    fn of_few_vertices_the_better_base_mesh_is_tried_first() {
         let shapes = [fixtures::torus(1.0, 0.4, 32, 16), fixtures::cube(4), fixtures::l_block(4), fixtures::blob(8)];
-        let orders: Vec<Vec<(Way, f64)>> = shapes.iter().map(|shape| rated(shape, 60)).collect();
+        let orders: Vec<Vec<(Way, f64)>> = shapes.iter().map(|shape| rated(shape, Method::Best, 60)).collect();
         for order in &orders {
             assert!(matches!(order[..], [(first, better), (second, worse)] if first != second && better >= worse), "{order:?}");
         }
         // Each way wins on one of them; else the order could be fixed and this test would not tell.
         assert!([Way::Patches, Way::Decimation].iter().all(|way| orders.iter().any(|order| order[0].0 == *way)), "{orders:?}");
+    }
+
+    #[test]
+    fn of_many_vertices_patches_are_the_second_choice() {
+        let ways = |method, base_vertices| {
+            rated(&fixtures::cube(8), method, base_vertices).into_iter().map(|r| r.0).collect::<Vec<Way>>()
+        };
+        assert_eq!(ways(Method::Best, FEW), [Way::Decimation, Way::Patches]);
+        assert_eq!(ways(Method::Patches, FEW), [Way::Patches]);
+        assert_eq!(ways(Method::Decimation, 60), [Way::Decimation]);
     }
 }

@@ -1,4 +1,4 @@
-//! [`Way`]: where a base mesh comes from.
+//! [`Way`]: where a base mesh comes from, and [`Method`]: which ways are gone.
 
 /// Where a base mesh comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,4 +20,16 @@ impl Way {
             Self::Given => "given",
         }
     }
+}
+
+/// Which ways to a base mesh are gone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// The way that promises more; the other one where its result is not right.
+    #[default]
+    Best,
+    /// The paper's way alone: sites of patches, triangulated in charts.
+    Patches,
+    /// Decimation alone.
+    Decimation,
 }

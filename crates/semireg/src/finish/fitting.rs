@@ -80,7 +80,7 @@ fn passed(certified: Certified) -> Result<Certified, Error> {
 mod tests {
     use super::super::place::{Placed, placed};
     use super::*;
-    use crate::base::proposals;
+    use crate::base::Proposals;
     use crate::input::Input;
     use crate::progress::Watch;
     use crate::rescue::PLAN;
@@ -90,8 +90,8 @@ mod tests {
     /// A sphere's finest level, relaxed.
     fn sphere(options: &Options, run: &mut Run) -> Candidate {
         let input = Input::new(&fixtures::icosphere(12).to_soup(), options, run).unwrap();
-        let proposed = proposals(&input, options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
-        let Placed { candidate, .. } = placed(&input, &proposed[0], options, run).unwrap();
+        let mut proposals = Proposals::new(&input, options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
+        let Placed { candidate, .. } = placed(&input, &proposals.next(run).unwrap().unwrap(), options, run).unwrap();
         candidate
     }
 

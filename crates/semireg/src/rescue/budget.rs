@@ -42,6 +42,7 @@ impl Bound {
 }
 
 /// What a run may spend, and what it has spent.
+#[derive(Clone, Copy)]
 pub(crate) struct Budget {
     asked: usize,
     levels: u32,
