@@ -4,6 +4,7 @@ use crate::base_face::BaseFace;
 use crate::editable_base::{EditableBase, FaceIndex};
 use mesh_core::VertexId;
 use region_map::BaseEdit;
+use relax::ShapeOptions;
 use relax::parts::{ArcNeighbour, Freedom, PlacedVertex};
 
 /// What an edit changes.
@@ -31,6 +32,12 @@ impl Change {
     /// The faces of a region after the change: those that stay, then the new ones.
     pub(crate) fn after<'c>(&'c self, base: &'c EditableBase, region: &'c [FaceIndex]) -> impl Iterator<Item = &'c BaseFace> {
         region.iter().filter(|f| !self.old.contains(f)).filter_map(|&f| base.face(f)).chain(&self.new)
+    }
+
+    /// What the faces that come cost before anything moves.
+    pub(crate) fn cost_at_start(&self, base: &EditableBase, options: &ShapeOptions) -> f64 {
+        let parts = self.new.iter().flat_map(|face| face.parts(base.whole.mean_area(face.sheet)));
+        parts.map(|part| base.whole.cost(&part, |v| self.state(base, v).0, options)).sum()
     }
 
     /// Another neighbour for a vertex on an arc in the place of `old`, from whose arc lengths it differs by `new.shift`.

@@ -1,26 +1,14 @@
 //! The state of a search, the flips, and how an edit is tried and carried out.
 
-use crate::change::Change;
 use crate::editable_base::{EditableBase, FaceIndex};
 use crate::flip::flip;
-use crate::region::relaxed;
-use crate::trial::{Hopeless, Site, Trial};
+use crate::trial::{Estimate, Site, Trial};
 use crate::{ReconnectOptions, Reconnected};
 use mesh_core::{Id as _, Interrupt, VertexId};
 use rayon::prelude::*;
 use region_map::{BaseEdit, Sizing};
-use relax::ShapeOptions;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
-
-/// Before an edit is tried in earnest, with all rings of faces around it, it is tried with the next faces alone and so many
-/// Newton steps. More steps find more of the edits that gain in the end, and cost time for all that don't.
-const QUICK_STEPS: usize = 2;
-/// A flip after which the energy has then grown by more than this is given up. Less saves time and misses flips: with .5 half of
-/// them were missed on rocker arms, with 1.5 hardly any.
-const MOST_LOSS_OF_FLIP: f64 = 1.5;
-/// The same for a split or a removal, which is judged together with its partner later.
-const MOST_LOSS_OF_SITE: f64 = 2.0;
 
 /// A search under way.
 pub(crate) struct Search<'a, F> {
@@ -40,12 +28,12 @@ pub(crate) struct Search<'a, F> {
     /// Numbers of middles that are given away.
     pub(crate) n_middles: usize,
     /// Counts the edits; and when each face was last changed.
-    clock: usize,
+    pub(crate) clock: usize,
     changed: Vec<usize>,
-    /// Splits and removals, as far as they were rated.
-    pub(crate) rated: BTreeMap<Site, Trial>,
-    /// Splits and removals that were hopeless. As long as all around them stays as it was they need not be tried again.
-    pub(crate) hopeless: BTreeMap<Site, Hopeless>,
+    /// Splits and removals that were estimated. As long as all around them stays as it was that need not be done again.
+    pub(crate) estimated: BTreeMap<Site, Estimate>,
+    /// Those of them that were tried.
+    pub(crate) tried: BTreeMap<Site, Trial>,
 }
 
 impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
@@ -64,8 +52,8 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
             changed: vec![0; base.faces.len()],
             n_middles: base.placed.len(),
             numbers: FxHashMap::default(),
-            rated: BTreeMap::new(),
-            hopeless: BTreeMap::new(),
+            estimated: BTreeMap::new(),
+            tried: BTreeMap::new(),
             clock: 0,
             base,
             sizing,
@@ -85,8 +73,7 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
     pub(crate) fn flip_all(&mut self, mut edges: Vec<[VertexId; 2]>) {
         while !edges.is_empty() && !self.is_exhausted() {
             self.found.tries += edges.len();
-            let gain = |&e: &[VertexId; 2]| Some((e, self.tried(flip(&self.base, e)?)?.ok()?));
-            let trials: Vec<_> = edges.par_iter().filter_map(gain).collect();
+            let trials: Vec<_> = edges.par_iter().filter_map(|&e| Some((e, self.tried_flip(e)?))).collect();
             let mut trials: Vec<_> = trials.into_iter().filter(|t| t.1.gain > self.options.least_gain).collect();
             trials.sort_by(|a, b| b.1.gain.total_cmp(&a.1.gain).then(a.0.cmp(&b.0)));
             let (mut near, mut corners) = (Vec::new(), Vec::new());
@@ -101,27 +88,13 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
         }
     }
 
-    /// Relaxes a change with what is around it. `None` where that is no manifold.
-    pub(crate) fn tried(&self, change: Change) -> Option<Result<Trial, Hopeless>> {
-        if let Some(hopeless) = self.hopeless(&change) {
-            return Some(Err(hopeless));
+    /// A flip, tried where its estimate is promising. `None` where it is not, or cannot be done.
+    pub(crate) fn tried_flip(&self, edge: [VertexId; 2]) -> Option<Trial> {
+        let estimate = Estimate::new(&self.base, flip(&self.base, edge)?, self.options, self.clock);
+        if !estimate.is_promising() {
+            return None;
         }
-        let (relaxed, region) = (1..=self.options.rings).rev().find_map(|rings| {
-            let region = self.base.around(&change.corners, rings);
-            Some((relaxed(&self.base, &region, &change, &self.options.shape)?, region))
-        })?;
-        let gain = self.base.cost(&region) - relaxed.costs.iter().sum::<f64>();
-        Some(Ok(Trial { gain, region, change, relaxed, at: self.clock }))
-    }
-
-    /// A quick try with the next faces only: does the energy grow by much?
-    fn hopeless(&self, change: &Change) -> Option<Hopeless> {
-        let most_loss = if matches!(change.edit, BaseEdit::Flip(_)) { MOST_LOSS_OF_FLIP } else { MOST_LOSS_OF_SITE };
-        let region = self.base.around(&change.corners, 1);
-        let quick = ShapeOptions { steps: QUICK_STEPS, untangling_steps: QUICK_STEPS, ..self.options.shape.clone() };
-        let tried = relaxed(&self.base, &region, change, &quick)?;
-        let loses = tried.costs.iter().sum::<f64>() > self.base.cost(&region) + most_loss;
-        loses.then_some(Hopeless { region, at: self.clock })
+        Trial::new(&self.base, estimate.change, self.options, self.clock)
     }
 
     /// Is all as it was when the edit was tried?

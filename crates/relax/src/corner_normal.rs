@@ -16,6 +16,19 @@ pub enum CornerNormal {
     Sector(DVec3),
 }
 
+/// The unit reference normal of a face, by what it takes of the normals on both sides at each of its corners.
+pub(crate) fn reference_normal(corners: [(CornerNormal, [DVec3; 2]); 3]) -> DVec3 {
+    let (mut free, mut sectors) = (DVec3::ZERO, DVec3::ZERO);
+    for (taken, [left, right]) in corners {
+        match taken {
+            CornerNormal::Left => free += left,
+            CornerNormal::Right => free += right,
+            CornerNormal::Sector(n) => sectors += n,
+        }
+    }
+    free.try_normalize().unwrap_or_else(|| sectors.normalize_or_zero())
+}
+
 /// The normals that all faces of a domain take, given what its vertices are free to do.
 pub(crate) fn corner_normals(
     surface: &Surface,

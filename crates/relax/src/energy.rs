@@ -56,13 +56,14 @@ pub(crate) struct Expansion {
     pub(crate) aa: f64,
 }
 
-/// `q^power`; without the dear call where it would give exactly these (as it does while untangling, and in the model for power
-/// 2).
+/// `q^power`; without the dear call for the powers while untangling, and of the default and its derivatives.
 fn raised(q: f64, power: f64) -> f64 {
     if power == 1.0 {
         q
     } else if power == 0.0 {
         1.0
+    } else if power == 2.0 {
+        q * q
     } else {
         q.powf(power)
     }

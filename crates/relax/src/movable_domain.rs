@@ -1,7 +1,7 @@
 //! The domain as the relaxation sees it: what each vertex is free to do, and which side of its arc each face lies on.
 
 use crate::RelaxError;
-use crate::corner_normal::{CornerNormal, corner_normals};
+use crate::corner_normal::{CornerNormal, corner_normals, reference_normal};
 use crate::freedom::Freedom;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, Topology, VertexId};
@@ -28,6 +28,8 @@ pub(crate) struct MovableDomain<'a> {
     pub(crate) normals: IdVec<HalfedgeId, CornerNormal>,
     /// No vertex inside a sheet moves farther in a step.
     pub(crate) longest_move: f64,
+    /// Whether vertices inside sheets walk over the surface; else each moves in its tangent plane, for an estimate.
+    pub(crate) walks: bool,
 }
 
 impl<'a> MovableDomain<'a> {
@@ -40,7 +42,7 @@ impl<'a> MovableDomain<'a> {
         let freedoms = IdVec::from_vec(freedoms);
         let normals = corner_normals(surface, domain, &freedoms);
         let mean_edge = (surface.mesh().total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
-        Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
+        Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge, walks: true })
     }
 
     /// Something of every face, in order.
@@ -68,15 +70,8 @@ impl<'a> MovableDomain<'a> {
     /// The unit reference normal of a face: the mean of the surface's normals at its corners, each seen from the face's side of
     /// the arcs. `normals` gives both sides at a vertex.
     pub(crate) fn reference_normal(&self, f: FaceId, normals: impl Fn(VertexId) -> [DVec3; 2]) -> DVec3 {
-        let (mut free, mut sectors) = (DVec3::ZERO, DVec3::ZERO);
-        for (c, v) in self.topology.face(f).into_iter().enumerate() {
-            match self.normals[HalfedgeId::of(f, c)] {
-                CornerNormal::Left => free += normals(v)[0],
-                CornerNormal::Right => free += normals(v)[1],
-                CornerNormal::Sector(n) => sectors += n,
-            }
-        }
-        free.try_normalize().unwrap_or_else(|| sectors.normalize_or_zero())
+        let corners = self.topology.face(f);
+        reference_normal([0, 1, 2].map(|c| (self.normals[HalfedgeId::of(f, c)], normals(corners[c]))))
     }
 
     /// The faces around some vertices, in order.

@@ -82,12 +82,13 @@ pub(crate) fn sheet_targets(domain: &MovableDomain, sheets: &IdVec<FaceId, Sheet
 
 /// By how much the energies of all faces exceed the least one, at most [`MOST_COST`].
 pub(crate) fn costs(measured: &Measured, targets: &IdVec<FaceId, f64>, options: &ShapeOptions) -> Vec<f64> {
+    measured.faces().enumerate().map(|(f, face)| cost(face, targets[f], options)).collect()
+}
+
+/// The same of one face that shall have an area of `target`.
+pub(crate) fn cost(face: &Measures, target: f64, options: &ShapeOptions) -> f64 {
     let metric = Metric { power: options.power.max(1.0), size_weight: options.size_weight.max(0.0), cap: f64::INFINITY };
-    let cost = |(f, face): (FaceId, &Measures)| {
-        let goal = Goal { target: targets[f], eps: 0.0 };
-        face.energy(goal, &metric).min(MOST_COST) - (1.0 + metric.size_weight)
-    };
-    measured.faces().enumerate().map(cost).collect()
+    face.energy(Goal { target, eps: 0.0 }, &metric).min(MOST_COST) - (1.0 + metric.size_weight)
 }
 
 struct Optimiser<'a> {

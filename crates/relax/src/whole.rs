@@ -1,13 +1,14 @@
 //! A domain that parts are taken out of.
 
-use crate::corner_normal::CornerNormal;
+use crate::corner_normal::{CornerNormal, reference_normal};
+use crate::energy::Measures;
 use crate::freedom::{Freedom, OnArc};
 use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::part::{Part, PartFace};
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
-use crate::shape::{costs, sheet_means};
+use crate::shape::{cost, costs, sheet_means};
 use crate::{RelaxError, ShapeOptions};
 use glam::DVec3;
 use mesh_core::{HalfedgeId, Id as _, IdVec, VertexId};
@@ -63,6 +64,13 @@ impl<'a> Whole<'a> {
     pub fn costs(&self, options: &ShapeOptions) -> Vec<f64> {
         let targets = self.sheet_of_face.iter().map(|&s| self.mean_area(s)).collect();
         costs(&Measured::new(&self.movable, self.placement.clone()), &targets, options)
+    }
+
+    /// What one triangle costs, with its corners placed as given.
+    pub fn cost(&self, face: &PartFace, placed: impl Fn(VertexId) -> PlacedVertex, options: &ShapeOptions) -> f64 {
+        let corners = face.corners.map(placed);
+        let normal = reference_normal([0, 1, 2].map(|c| (face.normals[c], corners[c].normals)));
+        cost(&Measures::new(corners.map(|v| v.position), normal), face.target_area, options)
     }
 
     /// The place after a walk over the surface from another place, along `way` as far as no arc is in it. The part of `way` along

@@ -5,7 +5,7 @@ use mesh_core::{Soup, Topology};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use region_map::Cells;
-use semireg::{BaseStages, Options, base};
+use semireg::{BaseStages, Method, Options, base};
 use std::sync::LazyLock;
 
 /// A small size of every fixture.
@@ -44,15 +44,19 @@ fn shapes() -> Vec<(&'static str, Soup)> {
 /// Points that are sent there and back through the map.
 const POINTS: usize = 1000;
 
-/// Makes the base mesh, and checks what every base mesh promises.
+/// Makes the base mesh in both ways, and checks what every base mesh promises.
 fn check(name: &str, soup: &Soup, base_vertices: usize) {
-    let options = Options { base_vertices: Some(base_vertices), ..Options::default() };
-    let stages = base(soup, &options).unwrap_or_else(|e| panic!("{name} at {base_vertices}: {e}")).stages;
-    let at = format!("{name} at {base_vertices}");
-    check_cells(&at, &stages);
-    check_topology(&at, &stages);
-    check_counts(&at, &stages, base_vertices);
-    check_map(&at, &stages);
+    for method in [Method::Patches, Method::Decimation] {
+        let at = format!("{name} at {base_vertices} by {method:?}");
+        let options = Options { base_vertices: Some(base_vertices), method, ..Options::default() };
+        let stages = base(soup, &options).unwrap_or_else(|e| panic!("{at}: {e}")).stages;
+        if method == Method::Patches {
+            check_cells(&at, &stages);
+        }
+        check_topology(&at, &stages);
+        check_counts(&at, &stages, base_vertices);
+        check_map(&at, &stages);
+    }
 }
 
 /// Points come back through the map. With fewer vertices than the topology needs the map may squeeze a whole handle into a corner of
