@@ -12,6 +12,8 @@ const MOST_FACES: usize = 6_000;
 /// A base mesh after the search, and what it promises.
 pub(super) struct Searched {
     pub(super) rating: f64,
+    /// The mean quality (AR) of its first subdivision, relaxed.
+    pub(super) quality: f64,
     pub(super) base: BaseMesh,
     /// Faults of ours on the way: the base mesh is as it was before them.
     pub(super) faults: Vec<String>,
@@ -27,7 +29,7 @@ pub(super) fn searched(
     options: &Options,
 ) -> Result<Searched, Error> {
     let relaxed = relaxed_once(surface, &base, options)?;
-    let before = Searched { rating: rate(surface, &base, &relaxed, asked), base, faults: Vec::new() };
+    let before = rated(surface, base, &relaxed, asked, Vec::new());
     if before.base.mesh().n_faces() > MOST_FACES {
         return Ok(before);
     }
@@ -58,7 +60,11 @@ fn found(
     }
     let (base, faults) = retraced(surface, replay.finish()?);
     let relaxed = relaxed_once(surface, &base, options)?;
-    Ok(Some(Searched { rating: rate(surface, &base, &relaxed, asked), base, faults }))
+    Ok(Some(rated(surface, base, &relaxed, asked, faults)))
+}
+
+fn rated(surface: &Surface, base: BaseMesh, relaxed: &Relaxed, asked: usize, faults: Vec<String>) -> Searched {
+    Searched { rating: rate(surface, &base, relaxed, asked), quality: relaxed.report.end.ar_mean, base, faults }
 }
 
 /// The base mesh with a map of its own instead of the history of its edits, which distorts. Where edges cannot be traced, that history still
