@@ -11,6 +11,7 @@ use crate::seconds::Seconds;
 use crate::stages;
 use anyhow::Context as _;
 use certify::{MeasureOptions, Reference};
+use mesh_core::TriMesh;
 use semireg::Based;
 use serde::Serialize;
 use std::time::Instant;
@@ -27,12 +28,13 @@ pub(crate) fn run(plan: &BasePlan) -> anyhow::Result<()> {
     let based = semireg::base_with(&document.soup, &plan.options, &mut |progress| meter.step(progress))
         .with_context(|| plan.input.display().to_string())?;
     meter.check()?;
-    let mut report = BaseReport::new(plan, &based)?;
+    let base = based.stages.on_working_mesh()?;
+    let mut report = BaseReport::new(plan, &based, &base.mesh)?;
     if let Some(folder) = &plan.stages {
         stages::write_base(folder, &based.stages)?;
     }
     if let Some(output) = &plan.output {
-        mesh_io::write(output, based.stages.base.mesh())?;
+        mesh_io::write(output, &base.mesh)?;
     }
     drop(meter);
     report.seconds.add("read", read_seconds);
@@ -66,10 +68,10 @@ struct BaseReport {
 }
 
 impl BaseReport {
-    fn new(plan: &BasePlan, based: &Based) -> anyhow::Result<Self> {
+    fn new(plan: &BasePlan, based: &Based, base: &TriMesh) -> anyhow::Result<Self> {
         let stages = &based.stages;
         let measures = Reference::new(stages.cleaned.mesh.clone())
-            .and_then(|input| certify::measure(&input, stages.base.mesh(), &MeasureOptions::default()))
+            .and_then(|input| certify::measure(&input, base, &MeasureOptions::default()))
             .with_context(|| format!("cannot measure the base mesh of {}", plan.input.display()))?;
         let target = plan.output.as_ref().or(plan.stages.as_ref());
         Ok(Self {
@@ -84,7 +86,7 @@ impl BaseReport {
             base_vertices: (&stages.counts).into(),
             cells: stages.cell_counts().into(),
             crease_length: stages.crease_lengths().into(),
-            round_trip: stages.base.mapped().map(|base| base.round_trip_error(stages.surface.mesh(), ROUND_TRIPS)),
+            round_trip: stages.base.mapped().map(|base| base.round_trip_error(stages.base_surface().mesh(), ROUND_TRIPS)),
             figures: Figures::new(&measures, |t| t.indexed),
             seconds: Seconds::new(&based.seconds),
         })

@@ -114,16 +114,17 @@ fn arc_color(kind: ArcKind) -> Rgb {
 
 /// Patches in colours, all their arcs.
 fn patches<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
-    let mesh = base.surface.mesh();
+    let mesh = base.base_surface().mesh();
     let colors = made.segmentation.patch_of_face.iter().map(|p| palette(p.index())).collect();
     let smooth = made.cells.arcs.iter().filter(|arc| arc.on.is_none());
-    let lines = smooth.flat_map(|arc| along(mesh, &arc.vertices, DARK, THIN)).chain(arcs(mesh, base.surface.network())).collect();
+    let lines =
+        smooth.flat_map(|arc| along(mesh, &arc.vertices, DARK, THIN)).chain(arcs(mesh, base.base_surface().network())).collect();
     Scene { face_colors: Some(colors), lines, ..Scene::new(mesh) }
 }
 
 /// Sites at corners (dark), on arcs (red) and in patches (blue).
 fn sites<'a>(base: &'a BaseStages, made: &Patches) -> Scene<'a> {
-    let (mesh, cells) = (base.surface.mesh(), &made.cells);
+    let (mesh, cells) = (base.base_surface().mesh(), &made.cells);
     let mut scene = patches(base, made);
     scene.face_colors = scene.face_colors.map(|colors| colors.iter().map(|&c| pale(c)).collect());
     scene.points.extend(cells.corners.iter().map(|&v| dot(mesh, v, DARK)));
@@ -153,7 +154,7 @@ fn base_mesh(base: &BaseStages) -> Scene<'_> {
     let farthest = |f: &[VertexId; 3]| f.map(inner_valence).into_iter().max_by_key(|n| n.abs_diff(6)).unwrap_or(6);
     let colors = mesh.faces().iter().map(|f| pale(valence_color(farthest(f)))).collect();
     let points = mesh.positions().ids().map(|v| dot(mesh, v, valence_color(inner_valence(v)))).collect();
-    let arcs = &base.surface.network().arcs;
+    let arcs = &base.base_surface().network().arcs;
     let spans = base.base.domain().region.spans.iter();
     let lines = spans.map(|(&ends, span)| line(mesh, ends, arc_color(arcs[span.arc].kind), THICK)).collect();
     Scene { mesh, face_colors: Some(colors), lines, points }

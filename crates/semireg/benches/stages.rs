@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
 use mesh_core::{Soup, TriMesh};
-use semireg::{Options, remesh};
+use semireg::{Method, Options, remesh};
 use std::error::Error;
 use std::hint::black_box;
 use std::time::Duration;
@@ -26,12 +26,12 @@ fn all(criterion: &mut Criterion) {
 
 /// Benches the verbs in the order of the pipeline, each on what the pipeline itself gives it (but relax and fit, before snapping).
 fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<dyn Error>> {
-    let options = Options { base_vertices: Some(BASE_VERTICES), levels: LEVELS, ..Options::default() };
+    let options = Options { method: Method::Patches, base_vertices: Some(BASE_VERTICES), levels: LEVELS, ..Options::default() };
     let remeshed = remesh(soup, &options)?;
     let stages = &remeshed.stages.base;
     let patches = stages.patches.as_ref().ok_or("no patches")?;
     let base = stages.base.mapped().ok_or("the base mesh has no map")?;
-    let (cleaned, surface) = (&stages.cleaned, &stages.surface);
+    let (cleaned, surface) = (&stages.cleaned, stages.base_surface());
     let (mesh, topology) = (surface.mesh(), surface.topology());
     let reference = certify::Reference::new(cleaned.mesh.clone())?;
     let base_edge_length = mesh_core::equilateral_edge_length(mesh.total_area(), BASE_VERTICES);

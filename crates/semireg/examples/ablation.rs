@@ -44,7 +44,7 @@ impl<'a> Study<'a> {
     fn new(stages: &'a Stages, levels: u32) -> Result<Self, Box<dyn Error>> {
         let base = &stages.base;
         let subdivided = subdiv::subdivide(base.base.domain(), levels)?;
-        Ok(Self { original: Reference::new(base.cleaned.mesh.clone())?, stages, surface: &base.surface, subdivided })
+        Ok(Self { original: Reference::new(base.cleaned.mesh.clone())?, stages, surface: base.base_surface(), subdivided })
     }
 
     /// Section 4.2 and Fig. 5. Returns our own placement.

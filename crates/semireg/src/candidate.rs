@@ -15,6 +15,8 @@ pub(crate) struct Candidate {
     pub(crate) base: Arc<Base>,
     /// Its vertices: asked, needed and made.
     pub(crate) counts: BaseCounts,
+    /// The surface that the base mesh is over.
+    pub(crate) base_surface: Surface,
     /// The surface with the network that the finest level hangs on.
     pub(crate) surface: Surface,
     /// The finest level, relaxed.

@@ -39,6 +39,9 @@ pub enum Error {
     /// Sizing options don't fit.
     #[error(transparent)]
     Sizing(#[from] sizing::SizingError),
+    /// The working mesh has no proxy, or what was made on it cannot be brought back: a bug of ours.
+    #[error("internal error in the proxy of the working mesh: {0}; please report this with the input file")]
+    Proxy(#[from] proxy::ProxyError),
     /// Segmentation failed.
     #[error(transparent)]
     Segment(#[from] segment_vsa::VsaError),
@@ -159,6 +162,7 @@ impl Error {
             | Self::Surface(_)
             | Self::Network(_)
             | Self::Sizing(_)
+            | Self::Proxy(_)
             | Self::Segment(_)
             | Self::Split(_)
             | Self::Cells(_)

@@ -63,15 +63,15 @@ fn check(name: &str, soup: &Soup, base_vertices: usize) {
 /// a base face (measured: areas by 1e12), beyond what any barycentric coordinates can tell apart.
 fn check_map(at: &str, stages: &BaseStages) {
     let base = stages.base.mapped().unwrap_or_else(|| panic!("{at}: no map"));
-    let error = base.round_trip_error(stages.surface.mesh(), POINTS);
+    let error = base.round_trip_error(stages.base_surface().mesh(), POINTS);
     let room = stages.counts.asked >= stages.counts.needed;
     assert!(error <= 1e-9 || !room, "{at}: a point comes back {error:e} of the diagonal off");
 }
 
 fn check_cells(at: &str, stages: &BaseStages) {
     let Some(patches) = &stages.patches else { panic!("{at}: no patches") };
-    let topology = stages.surface.topology();
-    let cells = Cells::trace(&stages.surface, &patches.segmentation).unwrap_or_else(|e| panic!("{at}: {e}"));
+    let topology = stages.base_surface().topology();
+    let cells = Cells::trace(stages.base_surface(), &patches.segmentation).unwrap_or_else(|e| panic!("{at}: {e}"));
     // Vertices, edges and faces of the complex: disks only, so it has the Euler number of the surface.
     let euler = cells.corners.len() as i64 - cells.arcs.len() as i64 + cells.patches.len() as i64;
     assert_eq!(euler, topology.euler(), "{at}: Euler number of the cells");

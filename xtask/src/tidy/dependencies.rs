@@ -8,6 +8,7 @@ const STAGES: &[&str] = &[
     "refine",
     "features",
     "sizing",
+    "proxy",
     "segment-vsa",
     "segment-cvt",
     "basemesh",

@@ -37,6 +37,7 @@ pub(crate) fn given(input: &Input, given: &GivenBase, options: &Options, run: &m
     Ok(BaseStages {
         cleaned: input.cleaned.clone(),
         surface,
+        proxy: None,
         patches: None,
         way: Way::Given,
         base: Arc::new(base),

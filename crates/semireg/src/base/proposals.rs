@@ -10,6 +10,7 @@ use crate::input::Input;
 use crate::run::Run;
 use crate::{Error, Method, Options};
 use mesh_core::equilateral_edge_length;
+use proxy::{Proxy, ProxyOptions};
 use region_map::{BaseMesh, Sizing, Surface};
 use sizing::SizingOptions;
 use std::collections::VecDeque;
@@ -24,6 +25,15 @@ const FEW: usize = 200;
 /// Where the first subdivision of the decimated base mesh has less mean quality (AR) than this after its relaxation, patches are tried against it
 /// too. More does so for more models. Measured: patches were rated better by .06 and .04 on a noisy scan (.80) and on 240 small parts (.84).
 const POOR: f64 = 0.85;
+
+/// A proxy has so many faces for each base face that is wanted. More sees finer shapes, and takes as much longer.
+const PROXY_FACES: usize = 25;
+/// A surface with this many times the faces that its proxy would have gets one. Less saves time on more inputs, and changes their results.
+const DENSE: usize = 2;
+/// Edges of a proxy are at most this share of a base edge, as those of the working mesh are kept short.
+const PROXY_EDGE: f64 = 0.35;
+/// A proxy keeps nearer to the surface than this share of a base edge, even if it then has more faces.
+const PROXY_DISTANCE: f64 = 0.03;
 
 /// The base meshes that one setting proposes. Each is made when it is asked for.
 pub(crate) struct Proposals<'a> {
@@ -44,6 +54,9 @@ struct Ground<'a> {
     options: &'a Options,
     setting: &'a Setting,
     surface: Surface,
+    /// What stands for the surface, where that is dense.
+    proxy: Option<Arc<Proxy>>,
+    /// How long base edges shall be, at the vertices of what the base mesh is made on.
     sizing: Sizing,
     wanted: usize,
     admits: &'a Admits<'a>,
@@ -90,7 +103,9 @@ impl<'a> Proposals<'a> {
             Method::Best if wanted < FEW * n_parts => vec![vec![Way::Decimation, Way::Patches]],
             Method::Best => vec![vec![Way::Decimation], vec![Way::Patches]],
         };
-        let ground = Ground { input, options, setting, surface, sizing, wanted, admits };
+        let proxy = proxy_of(&surface, &sizing, base_edge_length, wanted, run)?;
+        let sizing = proxy.as_ref().map_or(Ok(sizing.clone()), |proxy| proxy.sizing(&sizing))?;
+        let ground = Ground { input, options, setting, surface, proxy, sizing, wanted, admits };
         Ok(Self { ground, groups: groups.into(), ready: VecDeque::new(), patches: None, failures: Vec::new() })
     }
 
@@ -135,6 +150,25 @@ impl<'a> Proposals<'a> {
     }
 }
 
+/// A smaller mesh in the place of a dense surface; `None` where the surface has not many more faces than a base mesh of so many vertices needs.
+fn proxy_of(
+    surface: &Surface,
+    sizing: &Sizing,
+    base_edge_length: f64,
+    wanted: usize,
+    run: &mut Run,
+) -> Result<Option<Arc<Proxy>>, Error> {
+    // A closed surface has about two faces for each vertex.
+    let faces = 2 * wanted * PROXY_FACES;
+    if surface.mesh().n_faces() < DENSE * faces {
+        return Ok(None);
+    }
+    let options =
+        ProxyOptions { faces, longest_edge: PROXY_EDGE * base_edge_length, distance: PROXY_DISTANCE * base_edge_length };
+    let proxy = run.stage("proxy", || Proxy::new(surface, sizing, &options))?;
+    Ok(Some(Arc::new(proxy)))
+}
+
 /// The surface with its creases and corners at the resolution of so many base vertices.
 fn detected(input: &Input, options: &Options, setting: &Setting, wanted: usize, run: &mut Run) -> Result<Surface, Error> {
     let (mesh, topology) = (input.working.mesh(), input.working.topology());
@@ -147,13 +181,18 @@ fn detected(input: &Input, options: &Options, setting: &Setting, wanted: usize, 
 }
 
 impl Ground<'_> {
+    /// What the base mesh is made on.
+    fn base_surface(&self) -> &Surface {
+        self.proxy.as_ref().map_or(&self.surface, |proxy| &proxy.surface)
+    }
+
     /// The base mesh of a way.
     fn rated(&self, way: Way, run: &mut Run) -> Result<Rated, Error> {
         if way == Way::Decimation {
-            let base = decimation(&self.surface, &self.sizing, self.wanted, run)?;
+            let base = decimation(self.base_surface(), &self.sizing, self.wanted, run)?;
             return self.searched(way, base, run);
         }
-        let patches = patches(&self.surface, &self.sizing, self.wanted, self.options.seed, run)?;
+        let patches = patches(self.base_surface(), &self.sizing, self.wanted, self.options.seed, run)?;
         let rated = self.searched(way, patches.base.clone(), run)?;
         Ok(Rated { patches: Some(Arc::new(patches)), ..rated })
     }
@@ -161,8 +200,8 @@ impl Ground<'_> {
     /// A base mesh with a map of its own, after the search for better connectivity, and its rating.
     fn searched(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
-        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(&self.surface, base)))?;
-        let search = || searched(&self.surface, &self.sizing, base, self.input.asked, self.options);
+        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(self.base_surface(), base)))?;
+        let search = || searched(self.base_surface(), &self.sizing, base, self.input.asked, self.options);
         let Searched { rating, quality, base, faults: of_search } = run.stage("search", search)?;
         faults.extend(of_search);
         Ok(Rated { rating, quality, way, base, patches: None, faults })
@@ -179,6 +218,7 @@ impl Ground<'_> {
         BaseStages {
             cleaned: self.input.cleaned.clone(),
             surface: self.surface.clone(),
+            proxy: self.proxy.clone(),
             way,
             counts: self.counts(base.mesh().n_vertices(), patches.as_deref()),
             base: Arc::new(Base::Mapped(base)),
@@ -228,8 +268,8 @@ mod tests {
         let mut proposals = Proposals::new(&input, &options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
         let rated = |stages: BaseStages| {
             let base = stages.base.mapped().unwrap();
-            let relaxed = relaxed_once(&stages.surface, base, &options).unwrap();
-            (stages.way, rate(&stages.surface, base, &relaxed, input.asked))
+            let relaxed = relaxed_once(stages.base_surface(), base, &options).unwrap();
+            (stages.way, rate(stages.base_surface(), base, &relaxed, input.asked))
         };
         std::iter::from_fn(|| proposals.next(run).unwrap()).map(rated).collect()
     }

@@ -2,7 +2,9 @@
 
 use super::patches::Patches;
 use super::way::Way;
+use crate::Error;
 use mesh_core::{Cleaned, TriMesh};
+use proxy::Proxy;
 use region_map::{BaseMesh, CreaseLengths, Domain, Surface};
 use std::sync::Arc;
 use trace_base::Untraced;
@@ -14,6 +16,8 @@ pub struct BaseStages {
     pub cleaned: Arc<Cleaned>,
     /// The working mesh with its corners, arcs and sheets.
     pub surface: Surface,
+    /// What stands for a dense working mesh: patches and the base mesh are over its surface. `None` where they are over the working mesh.
+    pub proxy: Option<Arc<Proxy>>,
     /// The paper's way to a base mesh; `None` where it led to none, and with a base mesh from elsewhere.
     pub patches: Option<Arc<Patches>>,
     /// Where the base mesh comes from.
@@ -88,6 +92,20 @@ pub struct CellCounts {
 }
 
 impl BaseStages {
+    /// The surface that patches and the base mesh are over.
+    pub fn base_surface(&self) -> &Surface {
+        self.proxy.as_ref().map_or(&self.surface, |proxy| &proxy.surface)
+    }
+
+    /// The base mesh with its vertices on the working mesh.
+    pub fn on_working_mesh(&self) -> Result<Domain, Error> {
+        let domain = self.base.domain();
+        Ok(match &self.proxy {
+            Some(proxy) => proxy.carried(domain, &self.surface)?,
+            None => domain.clone(),
+        })
+    }
+
     /// How the surface was cut up.
     pub fn cell_counts(&self) -> CellCounts {
         let network = self.surface.network();

@@ -113,7 +113,7 @@ impl Mender<'_> {
     /// The candidate with some edges of its base mesh bisected. `None` where the base mesh has no map, or a new vertex finds no place.
     fn bisected(&self, before: &Candidate, edges: &[[VertexId; 2]]) -> Result<Option<BisectedCandidate>, Error> {
         let Some(base) = before.base.mapped() else { return Ok(None) };
-        let bisected: BaseMesh = basemesh::bisect(&before.surface, base.clone(), edges)?;
+        let bisected: BaseMesh = basemesh::bisect(&before.base_surface, base.clone(), edges)?;
         let finest = &before.relaxed.domain;
         let Some(carried) = subdiv::carried_over(&before.surface, finest, base.mesh(), &bisected.domain, edges)? else {
             return Ok(None);
