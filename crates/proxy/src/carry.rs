@@ -5,9 +5,12 @@ use mesh_core::{IdVec, SurfacePoint, TriMesh, VertexId};
 use rayon::prelude::*;
 use region_map::{ArcId, ArcSpan, Attachment, Domain, RegionMap, SheetId, Surface};
 
+/// A place along the normal is taken where it is not farther away than so many times the nearest point.
+const FARTHER: f64 = 2.0;
+
 impl Proxy {
-    /// The same domain with its vertices on the dense surface: at its corners, on its arcs between the same of their vertices, in its sheets at the
-    /// nearest point that faces the same way.
+    /// The same domain with its vertices on the dense surface: at its corners, on its arcs between the same of their vertices, in its sheets along the proxy's
+    /// normals, or at the nearest point where these lead far away.
     ///
     /// Fails where the domain is not one on the proxy, or `dense` is not the surface that the proxy was made of.
     pub fn carried(&self, domain: &Domain, dense: &Surface) -> Result<Domain, ProxyError> {
@@ -57,7 +60,7 @@ impl Proxy {
         rounds * whole + there[i] + s * (there[i + 1] - there[i])
     }
 
-    /// The nearest point of a sheet of the dense surface that faces as the proxy does at a vertex of the domain.
+    /// The place in a sheet of the dense surface of a vertex of the domain. It faces as the proxy does there, if any near it does.
     fn nearest(&self, domain: &Domain, v: VertexId, dense: &Surface, sheet: SheetId) -> Result<SurfacePoint, ProxyError> {
         let point = domain.region.points[v];
         if self.surface.mesh().faces().get(point.face).is_none() {
@@ -67,7 +70,11 @@ impl Proxy {
         let index = dense.sheet_index(sheet).ok_or(ProxyError::NotOfSurface)?;
         let faces_alike = |f| dense.mesh().normal(f).dot(normal) > 0.0;
         let closest = index.closest_where(position, faces_alike).or_else(|| index.closest(position));
-        closest.map(|closest| closest.point()).ok_or(ProxyError::NotOfSurface)
+        let closest = closest.ok_or(ProxyError::NotOfSurface)?;
+        // Neighbours meet at a ridge where each goes to its nearest point; along the normals of the proxy they stay apart.
+        let hits = index.first_hits_both_ways(position, normal).into_iter().flatten();
+        let near = hits.filter(|hit| hit.t <= FARTHER * closest.distance && faces_alike(hit.face));
+        Ok(near.min_by(|a, b| a.t.total_cmp(&b.t)).map_or(closest.point(), |hit| hit.point()))
     }
 }
 

@@ -33,7 +33,7 @@ const DENSE: usize = 2;
 /// Edges of a proxy are at most this share of a base edge, as those of the working mesh are kept short.
 const PROXY_EDGE: f64 = 0.35;
 /// A proxy keeps nearer to the surface than this share of a base edge, even if it then has more faces.
-const PROXY_DISTANCE: f64 = 0.03;
+const PROXY_DISTANCE: f64 = 0.01;
 
 /// The base meshes that one setting proposes. Each is made when it is asked for.
 pub(crate) struct Proposals<'a> {
