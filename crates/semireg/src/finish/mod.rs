@@ -1,6 +1,7 @@
 //! From a base mesh to a certified mesh: subdivided, projected, relaxed, mended, snapped, fitted and certified.
 
 mod fitting;
+mod levels;
 mod place;
 mod snapping;
 mod whole;

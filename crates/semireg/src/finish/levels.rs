@@ -1,0 +1,62 @@
+//! The levels of a base mesh, each placed on the surface and relaxed from the one before.
+
+use crate::base::Base;
+use crate::rescue::NextStage;
+use crate::run::Run;
+use crate::{Error, Options};
+use mesh_core::TriMesh;
+use project::{Origins, Projected};
+use region_map::Surface;
+use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
+
+/// Newton steps on a level whose start was relaxed already, on the level before or on a proxy. More takes longer and hardly changes anything.
+const STEPS_AGAIN: usize = 6;
+
+/// The finest level, projected and relaxed.
+pub(super) struct Finest {
+    pub(super) projected: Projected,
+    pub(super) relaxed: Relaxed,
+}
+
+/// Options for a domain that has been relaxed before.
+pub(super) fn again(options: &RelaxOptions) -> RelaxOptions {
+    RelaxOptions {
+        quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
+        shape: ShapeOptions { steps: STEPS_AGAIN, ..options.shape.clone() },
+    }
+}
+
+/// Subdivides, projects and relaxes level by level: level 1 by the map of the base mesh, each further one from the relaxed one before.
+///
+/// `kept` is the mesh of which no part may get lost. Fails early where too much is folded.
+pub(super) fn relaxed_levels(
+    surface: &Surface,
+    base: &Base,
+    kept: &TriMesh,
+    base_edge_length: f64,
+    options: &Options,
+    run: &mut Run,
+) -> Result<Finest, Error> {
+    let first = subdiv::subdivide(base.domain(), options.levels.min(1))?;
+    let origins = base.mapped().map(|base| Origins { base, points: &first.origins });
+    let mut projected = run.stage("project", || project::project(surface, &first.domain, origins, &options.project))?;
+    let mut relax_options = options.relax.clone();
+    let mut level = first.level;
+    loop {
+        let n_triangles = projected.domain.mesh.n_faces();
+        NextStage::Relax.is_worth(relax::inverted(surface, &projected.domain)?.len(), n_triangles)?;
+        let relax = || relax::relax_keeping(surface, &projected.domain, kept, base_edge_length, &relax_options);
+        let relaxed = run.stage("relax", relax)?;
+        if level == options.levels {
+            return Ok(Finest { projected, relaxed });
+        }
+        let finer = run.stage("subdivide", || subdiv::subdivide(&relaxed.domain, 1))?;
+        projected = run.stage("project", || project::project(surface, &finer.domain, None, &options.project))?;
+        (relax_options, level) = (again(&options.relax), level + 1);
+    }
+}
+
+/// The reports of a relaxation and of one that went on from it.
+pub(super) fn together(before: RelaxReport, after: RelaxReport) -> RelaxReport {
+    RelaxReport { shape_steps: before.shape_steps + after.shape_steps, end: after.end, ..before }
+}
