@@ -73,7 +73,7 @@ pub(crate) struct StagesArgs {
 pub(crate) struct SourceArgs {
     /// The mesh to remesh: obj, ply, stl, off, gltf or glb, also compressed (.gz)
     pub(crate) input: PathBuf,
-    /// Wanted number of base vertices [default: three times what corners and curves need, at least 500 and 1.6 % of the input's, at
+    /// Wanted number of base vertices [default: three times what corners and curves need, at least 1000 and 1.6 % of the input's, at
     /// most 2000]
     #[arg(long, value_name = "N", value_parser = base_vertices, allow_negative_numbers = true)]
     pub(crate) base_vertices: Option<u32>,

@@ -125,7 +125,8 @@ pub fn fit_holding(surface: &Surface, domain: &Domain, still: &[FaceId], options
             let end = truth.errors(&pairs);
             return Ok(fitter.finish(now, mesh, start, end));
         }
-        retreat(&mut now, &mut pairs, &bad, round)?;
+        // What still is bad when it is back where it was is held from around.
+        retreat(&mut now, &mut pairs, &topology.widened(&bad, round.saturating_sub(HALVINGS)), round)?;
     }
     Ok(fitter.finish(first, start_mesh.clone(), start, start))
 }

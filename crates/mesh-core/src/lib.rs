@@ -20,6 +20,7 @@
 
 mod clean;
 pub mod exact;
+mod face_sets;
 mod face_tree;
 mod filling;
 mod id;

@@ -5,7 +5,6 @@
 use crate::leaving::Leaving;
 use crate::limits::{MOST_FACES, MOST_VERTICES};
 use crate::{EdgeId, FaceId, HalfedgeId, IdVec, VertexId};
-use std::collections::BTreeSet;
 
 /// Why faces are not an oriented manifold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -216,24 +215,6 @@ impl Topology {
         (region, count as usize)
     }
 
-    /// Some faces, sorted into clusters: faces with a common vertex are in one. In the order of their first faces. Faces that are
-    /// not there are left out.
-    pub fn clusters(&self, faces: &[FaceId]) -> Vec<Vec<FaceId>> {
-        let mut left: BTreeSet<FaceId> = faces.iter().copied().filter(|&f| self.faces.get(f).is_some()).collect();
-        let mut clusters = Vec::new();
-        while let Some(first) = left.pop_first() {
-            let mut cluster = vec![first];
-            let mut next = 0;
-            while let Some(&f) = cluster.get(next) {
-                let around = self.face(f).into_iter().flat_map(|v| self.fan(v)).map(HalfedgeId::face);
-                cluster.extend(around.filter(|g| left.remove(g)));
-                next += 1;
-            }
-            clusters.push(cluster);
-        }
-        clusters
-    }
-
     /// The border loops, each as the halfedges along it in order (the surface on their left).
     pub fn border_loops(&self) -> Vec<Vec<HalfedgeId>> {
         let mut seen = IdVec::<HalfedgeId, bool>::filled(false, self.twins.len());
@@ -338,17 +319,6 @@ mod tests {
     }
 
     #[test]
-    fn clusters_hang_together_by_vertices() {
-        // A strip of six triangles, each with a vertex in common with the two before it.
-        let strip: Vec<[u32; 3]> = (0..6).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
-        let t = topology(&strip).unwrap();
-        let clusters = |faces: &[u32]| t.clusters(&faces.iter().map(|&f| FaceId(f)).collect::<Vec<_>>());
-        assert_eq!(clusters(&[0, 3]), [[FaceId(0)], [FaceId(3)]]);
-        assert_eq!(clusters(&[5, 0, 3]), [vec![FaceId(0)], vec![FaceId(3), FaceId(5)]]);
-        assert!(clusters(&[]).is_empty());
-    }
-
-    #[test]
     fn an_open_fan_goes_from_border_to_border() {
         let t = topology(&[[0, 1, 2], [0, 2, 3], [0, 3, 4]]).unwrap();
         let ring: Vec<_> = t.one_ring(VertexId(0)).collect();
@@ -386,11 +356,5 @@ mod tests {
         assert_eq!(of(&[[0, 1, 2], [0, 2, 9]], 9), out_of_range);
         assert_eq!(of(&[[0, 1, 2], [5, 3, 5]], 9), TopologyError::RepeatedVertex(FaceId(1), VertexId(5)));
         assert_eq!(of(&[], MOST_VERTICES + 1), TopologyError::TooLarge { vertices: MOST_VERTICES + 1, faces: 0 });
-    }
-
-    #[test]
-    fn clusters_of_faces_that_are_not_there_are_none() {
-        let t = topology(&TETRAHEDRON).unwrap();
-        assert_eq!(t.clusters(&[FaceId(9), FaceId(u32::MAX), FaceId(2)]), [[FaceId(2)]]);
     }
 }

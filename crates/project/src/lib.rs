@@ -24,7 +24,9 @@ mod error;
 mod place;
 mod project;
 mod ray;
+mod refined;
 
 pub use error::ProjectError;
 pub use place::Origins;
 pub use project::{ProjectOptions, ProjectReport, Projected, project};
+pub use refined::project_refined;

@@ -64,7 +64,7 @@ pub fn project(
 }
 
 /// Classes one and three: the corner, or the point at the arc length.
-fn attached_point(surface: &Surface, region: &RegionMap, v: VertexId) -> Option<SurfacePoint> {
+pub(crate) fn attached_point(surface: &Surface, region: &RegionMap, v: VertexId) -> Option<SurfacePoint> {
     match region.attachments[v] {
         Attachment::Corner(c) => {
             let h = surface.topology().fan(surface.network().corners[c]).next()?;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mesh_core::{FaceId, IdVec, SurfacePoint, TriMesh, VertexId};
-use project::{ProjectError, ProjectOptions, ProjectReport, Projected, project};
+use project::{ProjectError, ProjectOptions, ProjectReport, Projected, project, project_refined};
 use region_map::{Attachment, Domain, Network, RegionMap, RegionMapError, SheetId, Surface};
 
 /// A foreign domain in a single sheet without arcs.
@@ -127,4 +127,52 @@ fn what_does_not_fit_is_refused() {
     let small = Domain { mesh: fixtures::plane(), ..in_one_sheet(octahedron()) };
     let refused = project(&surface, &small, None, &ProjectOptions::default()).unwrap_err();
     assert!(matches!(refused, ProjectError::Region(RegionMapError::WrongSize { what: "the mesh", .. })), "{refused}");
+}
+
+/// The new vertices of a relaxed level go to the middle of their edges over the surface, old ones stay, and those on arcs are on their arcs.
+#[test]
+fn a_level_more_is_placed_from_the_one_before() {
+    let sphere = Surface::smooth(fixtures::icosphere(8)).unwrap();
+    let cylinder = Surface::with_creases(fixtures::cylinder(1.0, 2.0, 48), 40.0).unwrap();
+    for surface in [sphere, cylinder] {
+        let coarse = Domain::identity(&surface);
+        let finer = subdiv::subdivide(&coarse, 1).unwrap().domain;
+        let projected = project_refined(&surface, &coarse, &finer).unwrap().domain;
+        projected.check(surface.network()).unwrap();
+        for v in finer.region.vertices() {
+            let (linear, placed) = (finer.mesh.position(v), projected.mesh.position(v));
+            // The domain is the surface itself: the middle of an edge is on it. A walk that begins at a corner loses a little of its length.
+            assert!(linear.distance(placed) < 1e-3, "{v}: {linear} went to {placed}");
+        }
+    }
+}
+
+/// Two sheets of one part close together, folded like a U: a walk stays on its side, where the nearest point is on the other one.
+#[test]
+fn new_vertices_stay_on_their_side() {
+    // A strip from x = 0 to 4 at z = 0, around the end and back at z = 0.01.
+    let rows = [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 0.01], [2.0, 0.01], [0.0, 0.01]];
+    let positions: Vec<[f64; 3]> = rows.iter().flat_map(|&[x, z]| [[x, 0.0, z], [x, 1.0, z], [x, 2.0, z]]).collect();
+    let quad = |i: u32, j: u32| {
+        let [a, b, c, d] = [3 * i + j, 3 * (i + 1) + j, 3 * (i + 1) + j + 1, 3 * i + j + 1];
+        [[a, b, c], [a, c, d]]
+    };
+    let faces: Vec<[u32; 3]> = (0..5).flat_map(|i| (0..2).flat_map(move |j| quad(i, j))).collect();
+    let surface = Surface::smooth(TriMesh::from_slices(&positions, &faces).unwrap()).unwrap();
+    let coarse = Domain::identity(&surface);
+    let mut finer = subdiv::subdivide(&coarse, 1).unwrap().domain;
+    // The middles sag towards the other side, beyond the half of the way.
+    let sagging = finer.mesh.positions().enumerate().map(|(v, p)| {
+        let is_new = v.0 as usize >= coarse.mesh.n_vertices();
+        if is_new && p.z == 0.0 { *p + 0.008 * DVec3::Z } else { *p }
+    });
+    finer.mesh = finer.mesh.with_positions(sagging.collect()).unwrap();
+    let projected = project_refined(&surface, &coarse, &finer).unwrap().domain;
+    // Those with an end inside the sheet: y = 1 is its middle.
+    let inner = finer.region.vertices().filter(|&v| {
+        let p = finer.mesh.position(v);
+        p.z == 0.008 && matches!(finer.region.attachments[v], Attachment::Sheet(_)) && p.x < 3.0 && p.y < 1.4
+    });
+    let heights: Vec<f64> = inner.map(|v| projected.mesh.position(v).z).collect();
+    assert!(heights.len() >= 3 && heights.iter().all(|&z| z == 0.0), "{heights:?}");
 }

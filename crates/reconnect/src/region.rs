@@ -5,7 +5,7 @@ use crate::change::Change;
 use crate::editable_base::{EditableBase, FaceIndex};
 use mesh_core::{Id as _, VertexId};
 use relax::ShapeOptions;
-use relax::parts::{Freedom, Part, PartFace, PlacedVertex};
+use relax::parts::{Freedom, PartFace, PlacedVertex};
 
 /// A region after a change, relaxed.
 #[derive(Clone, Debug)]
@@ -24,23 +24,13 @@ pub(crate) fn relaxed(
     change: &Change,
     options: &ShapeOptions,
 ) -> Option<RelaxedRegion> {
-    let relaxed = part(base, region, change)?.relaxed(|v| change.state(base, v).0, options);
-    let costs = relaxed.costs.chunks(4).map(|parts| parts.iter().sum()).collect();
-    Some(RelaxedRegion { costs, moved: relaxed.moved })
-}
-
-/// The cost of a region after a change, estimated by a few steps in tangent planes. `None` where the region is no manifold.
-pub(crate) fn estimated(base: &EditableBase, region: &[FaceIndex], change: &Change, options: &ShapeOptions) -> Option<f64> {
-    let part = part(base, region, change)?;
-    Some(part.estimated(|v| change.state(base, v).0, options).iter().sum())
-}
-
-/// A region after a change, with all held that faces outside have too.
-fn part<'a>(base: &EditableBase<'a>, region: &[FaceIndex], change: &Change) -> Option<Part<'a>> {
     let faces: Vec<PartFace> = change.after(base, region).flat_map(|face| face.parts(base.whole.mean_area(face.sheet))).collect();
     let held = held(base, region);
     let is_held = |v| held.binary_search(&v).is_ok();
-    base.whole.part(&faces, |v| if is_held(v) { Freedom::Fixed } else { change.state(base, v).1 })
+    let part = base.whole.part(&faces, |v| if is_held(v) { Freedom::Fixed } else { change.state(base, v).1 })?;
+    let relaxed = part.relaxed(|v| change.state(base, v).0, options);
+    let costs = relaxed.costs.chunks(4).map(|parts| parts.iter().sum()).collect();
+    Some(RelaxedRegion { costs, moved: relaxed.moved })
 }
 
 /// The vertices of a region that faces outside of it have too, in rising order.

@@ -3,7 +3,7 @@
 use crate::ReconnectOptions;
 use crate::change::Change;
 use crate::editable_base::{EditableBase, FaceIndex};
-use crate::region::{RelaxedRegion, estimated, relaxed};
+use crate::region::{RelaxedRegion, relaxed};
 use mesh_core::VertexId;
 use region_map::BaseEdit;
 use relax::ShapeOptions;
@@ -64,7 +64,7 @@ impl Estimate {
             f64::NEG_INFINITY
         } else {
             let few = ShapeOptions { steps: ESTIMATE_STEPS, untangling_steps: ESTIMATE_STEPS, ..options.shape.clone() };
-            estimated(base, &region, &change, &few).map_or(0.0, |cost| before - cost)
+            relaxed(base, &region, &change, &few).map_or(0.0, |relaxed| before - relaxed.costs.iter().sum::<f64>())
         };
         Self { change, gain, region, at }
     }

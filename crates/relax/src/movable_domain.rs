@@ -28,8 +28,6 @@ pub(crate) struct MovableDomain<'a> {
     pub(crate) normals: IdVec<HalfedgeId, CornerNormal>,
     /// No vertex inside a sheet moves farther in a step.
     pub(crate) longest_move: f64,
-    /// Whether vertices inside sheets walk over the surface; else each moves in its tangent plane, for an estimate.
-    pub(crate) walks: bool,
 }
 
 impl<'a> MovableDomain<'a> {
@@ -42,7 +40,7 @@ impl<'a> MovableDomain<'a> {
         let freedoms = IdVec::from_vec(freedoms);
         let normals = corner_normals(surface, domain, &freedoms);
         let mean_edge = (surface.mesh().total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
-        Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge, walks: true })
+        Ok(Self { surface, topology, freedoms, normals, longest_move: LONGEST_MOVE * mean_edge })
     }
 
     /// Something of every face, in order.

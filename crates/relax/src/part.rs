@@ -73,13 +73,6 @@ impl<'a> Part<'a> {
         RelaxedPart { costs: costs(&measured, &self.targets, options), moved: self.moved(measured.placement()) }
     }
 
-    /// The costs of its triangles after some steps, about: vertices inside sheets move in their tangent planes instead of over the surface.
-    /// That takes a good part less time than [`Part::relaxed`].
-    pub fn estimated(mut self, placed: impl Fn(VertexId) -> PlacedVertex, options: &ShapeOptions) -> Vec<f64> {
-        self.domain.walks = false;
-        self.relaxed(placed, options).costs
-    }
-
     /// The places of its vertices, given by those of the whole.
     pub(crate) fn placement(&self, placed: impl Fn(VertexId) -> PlacedVertex) -> Placement {
         Placement(self.vertices.iter().map(|&v| placed(v)).collect())

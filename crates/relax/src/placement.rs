@@ -107,11 +107,7 @@ impl MovableDomain<'_> {
                 let slide = displacement.dot(self.arc_direction(on_arc, placed.t));
                 self.placed_on_arc(on_arc, placed.t + slide.clamp(back, forth))
             }
-            Freedom::Sheet if self.walks => self.walked(&placed, displacement),
-            Freedom::Sheet => {
-                let position = placed.position + displacement.clamp_length_max(self.longest_move);
-                PlacedVertex { position, ..placed }
-            }
+            Freedom::Sheet => self.walked(&placed, displacement),
         }
     }
 }

@@ -7,7 +7,7 @@ use mesh_core::{CleanOptions, Soup};
 /// Options of the whole pipeline. Everything has a default that works.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Wanted number of base vertices. `None` takes three times what corners and curves need, at least 500 and at least 1.6 % of the cleaned
+    /// Wanted number of base vertices. `None` takes three times what corners and curves need, at least 1,000 and at least 1.6 % of the cleaned
     /// input's vertices, at most 2,000.
     pub base_vertices: Option<usize>,
     /// A base mesh to take instead of one of our own: its vertices and faces keep their order, and `base_vertices` is not asked. It must be

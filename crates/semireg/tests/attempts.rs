@@ -8,9 +8,9 @@ fn options(base_vertices: usize, levels: u32) -> Options {
     Options { base_vertices: Some(base_vertices), levels, ..Options::default() }
 }
 
-/// Far too few base vertices for a tap: some triangles stay folded, and come free where they are.
+/// Far too few base vertices for a noisy scan: some triangles stay folded, and come free where they are.
 fn rescued() -> Remeshed {
-    remesh(&fixtures::tap(20).to_soup(), &options(20, 3)).unwrap()
+    remesh(&fixtures::scan(10).to_soup(), &options(34, 3)).unwrap()
 }
 
 fn bits(mesh: &TriMesh) -> Vec<u64> {
@@ -91,17 +91,15 @@ fn a_run_is_ended_in_any_stage() {
     }
 }
 
-/// Minor creases and bends of a noisy scan: some triangles don't bear them at first, and are let go; others are followed to the end.
+/// Minor creases and bends of a noisy scan: those beside triangles that come out poor are let go, others are followed to the end.
 #[test]
-fn creases_are_let_go_beside_triangles_that_do_not_bear_them() {
+fn creases_are_let_go_beside_poor_triangles() {
     let Remeshed { report, .. } = remesh(&fixtures::scan(20).to_soup(), &options(40, 2)).unwrap();
     let of_snapping = report.attempts.iter().filter(|a| matches!(a.remedy, Remedy::Snap | Remedy::LetGoCreases));
-    let none_refused = |v: &Verdict| matches!(v, Verdict::Faulty { faults: 0, .. });
-    let tried: Vec<(Remedy, bool)> = of_snapping.map(|a| (a.remedy, none_refused(&a.verdict))).collect();
+    let tried: Vec<(Remedy, Verdict)> = of_snapping.map(|a| (a.remedy, a.verdict.clone())).collect();
     assert_eq!(tried.first().map(|t| t.0), Some(Remedy::Snap));
-    // Without a round that is refused this test would say nothing.
-    assert!(tried.iter().any(|t| !t.1), "{tried:?}");
-    assert!(matches!(tried.last(), Some((Remedy::LetGoCreases, true))), "{tried:?}");
+    // Without letting go this test would say nothing.
+    assert!(matches!(tried.last(), Some((Remedy::LetGoCreases, Verdict::Faulty { faults: 0, .. }))), "{tried:?}");
     assert!(report.snapped.bends > 0, "{:?}", report.snapped);
     assert!(!report.warnings.iter().any(|w| w.contains("as they came out")), "{:?}", report.warnings);
 }

@@ -6,10 +6,8 @@ use crate::candidate::Candidate;
 use crate::report::SnapCounts;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
-use mesh_core::{FaceId, HalfedgeId, Topology};
 use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
 use snap::{LetGo, SnapOptions, Snapped};
-use std::collections::BTreeSet;
 use std::time::Instant;
 
 /// Newton steps after snapping: it moves few vertices, and from a relaxed start. More cost time in each round.
@@ -61,7 +59,7 @@ fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &m
         run.record(if round == 1 { Remedy::Snap } else { Remedy::LetGoCreases }, None, now.verdict(), begun);
         let is_borne = now.n_faults() <= before.n_faults();
         let refused = if is_borne { Vec::new() } else { now.faults.faces() };
-        let refused = widened(&start.topology, refused, round.saturating_sub(ROUNDS));
+        let refused = start.topology.widened(&refused, round.saturating_sub(ROUNDS));
         let poor = snapped.poor([&start.mesh, &now.relaxed.domain.mesh], &refused, &snap_options)?;
         // Of rounds with as many refused triangles the last one has the fewest poor ones.
         if best.as_ref().is_none_or(|best: &Candidate| now.n_faults() <= best.n_faults()) {
@@ -74,16 +72,6 @@ fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &m
         let_go.minor.extend(poor.minor);
     }
     Ok(best)
-}
-
-/// Some triangles and those around them, so many rings.
-fn widened(topology: &Topology, mut faces: Vec<FaceId>, rings: usize) -> Vec<FaceId> {
-    for _ in 0..rings {
-        let around: BTreeSet<FaceId> =
-            faces.iter().flat_map(|&f| topology.face(f)).flat_map(|v| topology.fan(v)).map(HalfedgeId::face).collect();
-        faces = around.into_iter().collect();
-    }
-    faces
 }
 
 /// A snapped domain, relaxed and judged.
