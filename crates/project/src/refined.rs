@@ -13,8 +13,9 @@ use region_map::{Attachment, Domain, RegionMap, SheetId, Surface};
 /// were.
 ///
 /// `coarse` is the domain on the surface, `finer` what `subdiv::subdivide` makes of it at one level: the vertices of `coarse` come first. A walk stays
-/// on the part of the surface that the edge lies on, however near others are. Fails where `finer` does not fit the surface ([`Domain::check`]).
+/// on the part of the surface that the edge lies on, however near others are. Fails where one of both does not fit the surface ([`Domain::check`]).
 pub fn project_refined(surface: &Surface, coarse: &Domain, finer: &Domain) -> Result<Projected, ProjectError> {
+    coarse.check(surface.network())?;
     finer.check(surface.network())?;
     let refined = Refined { surface, coarse, finer, rays: Rays::new(surface), normals: interpolated_normals(finer) };
     let placed: Vec<Placed> = (0..finer.mesh.n_vertices()).into_par_iter().map(|i| refined.place(VertexId::new(i))).collect();

@@ -26,12 +26,13 @@ pub type OnProgress<'a> = dyn FnMut(Progress) -> ControlFlow<()> + Send + 'a;
 const PERIOD: Duration = Duration::from_millis(50);
 
 /// The stages in order, and the share of an attempt that is usually done when they begin.
-const USUAL_SHARES: [(&str, f64); 16] = [
+const USUAL_SHARES: [(&str, f64); 18] = [
     ("clean", 0.0),
     ("refine", 0.02),
     ("features", 0.04),
     ("trace", 0.05),
     ("sizing", 0.05),
+    ("proxy", 0.06),
     ("segment", 0.06),
     ("sample", 0.1),
     ("decimate", 0.1),
@@ -39,6 +40,7 @@ const USUAL_SHARES: [(&str, f64); 16] = [
     ("retrace", 0.3),
     ("search", 0.35),
     ("subdivide", 0.6),
+    ("project", 0.62),
     ("relax", 0.65),
     ("snap", 0.8),
     ("fit", 0.87),
