@@ -147,3 +147,27 @@ fn nothing_in_is_an_error_that_says_so() {
         assert!(error.to_string().starts_with("no face is left"), "{error}");
     }
 }
+
+/// A dense sphere: its base mesh is made on a proxy, and its finest level lies on the sphere, with the same bits on any number of threads.
+#[test]
+fn a_dense_surface_has_a_proxy() {
+    let dense = fixtures::icosphere(36);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| remesh(&dense.to_soup(), &options(100, 2)).unwrap())
+    };
+    let (one, two) = (on(1), on(2));
+    let base = &one.stages.base;
+    let proxy = base.proxy.as_ref().expect("the sphere is dense");
+    assert!(proxy.surface.mesh().n_faces() < dense.n_faces() / 2);
+    let base_on_sphere = base.on_working_mesh().unwrap();
+    assert!(base_on_sphere.mesh.positions().iter().all(|p| (p.length() - 1.0).abs() < 2e-3));
+    one.stages.region.check(&topology_of(&one), one.stages.surface.network()).unwrap();
+    assert!(greatest_error(&one) < 3e-3, "{}", greatest_error(&one));
+    let bits = |r: &Remeshed| r.mesh.positions().iter().flat_map(|p| p.to_array().map(f64::to_bits)).collect::<Vec<_>>();
+    assert!(one.mesh.faces() == two.mesh.faces() && bits(&one) == bits(&two));
+}
+
+fn topology_of(remeshed: &Remeshed) -> mesh_core::Topology {
+    mesh_core::Topology::new(remeshed.mesh.faces(), remeshed.mesh.n_vertices()).unwrap()
+}

@@ -2,6 +2,7 @@
 
 mod decimation;
 mod given;
+mod ground;
 mod patches;
 mod proposals;
 mod rating;
