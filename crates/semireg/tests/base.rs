@@ -94,8 +94,10 @@ fn check_topology(at: &str, stages: &BaseStages) {
         all_different(topology.edge_ids().map(|e| topology.ends(e).to_vec()).collect()),
         "{at}: two edges have the same ends"
     );
-    let (region, network) = (&stages.base.domain().region, stages.surface.network());
+    let (region, network) = (&stages.base.domain().region, stages.base_surface().network());
     region.check(&topology, network).unwrap_or_else(|e| panic!("{at}: {e}"));
+    let carried = stages.on_working_mesh().unwrap_or_else(|e| panic!("{at}: {e}"));
+    carried.check(stages.surface.network()).unwrap_or_else(|e| panic!("{at}, on the working mesh: {e}"));
     let (on_edges, whole) = (region.spans.values().map(|s| (s.to - s.from).abs()).sum::<f64>(), network.total_length());
     assert!((on_edges - whole).abs() <= 1e-9 * whole.max(1.0), "{at}: {on_edges} of {whole} arc length lie on base edges");
 }
