@@ -3,8 +3,7 @@
 use crate::ProjectError;
 use crate::project::{ProjectReport, Projected, attached_point};
 use crate::ray::{Rays, interpolated_normals};
-use glam::DVec3;
-use mesh_core::{Id as _, IdVec, SurfacePoint, VertexId, walk_end};
+use mesh_core::{Id as _, SurfacePoint, VertexId, walk_end};
 use rayon::prelude::*;
 use region_map::{Attachment, Domain, RegionMap, SheetId, Surface};
 
@@ -17,68 +16,49 @@ use region_map::{Attachment, Domain, RegionMap, SheetId, Surface};
 pub fn project_refined(surface: &Surface, coarse: &Domain, finer: &Domain) -> Result<Projected, ProjectError> {
     coarse.check(surface.network())?;
     finer.check(surface.network())?;
-    let refined = Refined { surface, coarse, finer, rays: Rays::new(surface), normals: interpolated_normals(finer) };
-    let placed: Vec<Placed> = (0..finer.mesh.n_vertices()).into_par_iter().map(|i| refined.place(VertexId::new(i))).collect();
-    let of = |how: How| placed.iter().filter(|p| p.how == how).count();
-    let report = ProjectReport { by_ray: of(How::Ray), by_nearest: of(How::Nearest), ..ProjectReport::default() };
-    let points: IdVec<VertexId, SurfacePoint> = placed.into_iter().map(|p| p.point).collect();
+    let n_vertices = finer.mesh.n_vertices();
+    let known = |i| known_point(surface, coarse, finer, VertexId::new(i));
+    let mut points: Vec<Option<SurfacePoint>> = (0..n_vertices).into_par_iter().map(known).collect();
+    let report = place_others(surface, finer, &mut points);
+    let points = points.into_iter().zip(&finer.region.points).map(|(p, &before)| p.unwrap_or(before)).collect();
     let domain = finer.placed(surface, RegionMap { points, ..finer.region.clone() })?;
     Ok(Projected { domain, report })
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum How {
-    /// By its attachment, by a walk, or not at all.
-    Known,
-    Ray,
-    Nearest,
+/// Where a vertex goes by its attachment, because it was there before, or by a walk. `None` where both ends of its edge are on arcs.
+fn known_point(surface: &Surface, coarse: &Domain, finer: &Domain, v: VertexId) -> Option<SurfacePoint> {
+    let Attachment::Sheet(sheet) = finer.region.attachments[v] else { return attached_point(surface, &finer.region, v) };
+    coarse.region.points.get(v).copied().or_else(|| walked(surface, coarse, finer, v, sheet))
 }
 
-struct Placed {
-    point: SurfacePoint,
-    how: How,
+/// The nearer of the places that walks from both ends lead to. `None` where no end is inside the sheet.
+fn walked(surface: &Surface, coarse: &Domain, finer: &Domain, v: VertexId, sheet: SheetId) -> Option<SurfacePoint> {
+    let (mesh, middle) = (surface.mesh(), finer.mesh.position(v));
+    let ends = finer.topology.one_ring(v).filter_map(|end| Some((end, *coarse.region.points.get(end)?)));
+    let inside = ends.filter(|(end, point)| {
+        coarse.region.attachments[*end] == Attachment::Sheet(sheet) && mesh.faces().get(point.face).is_some()
+    });
+    let walk = |(_, start): (VertexId, SurfacePoint)| {
+        let way = middle - start.position(mesh);
+        walk_end(mesh, surface.topology(), start, way, |e| !surface.network().is_barrier(e))
+    };
+    let distance = |p: &SurfacePoint| p.position(mesh).distance(middle);
+    inside.map(walk).min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-struct Refined<'a> {
-    surface: &'a Surface,
-    coarse: &'a Domain,
-    finer: &'a Domain,
-    rays: Rays<'a>,
-    normals: IdVec<VertexId, DVec3>,
-}
-
-impl Refined<'_> {
-    fn place(&self, v: VertexId) -> Placed {
-        let Self { surface, coarse, finer, rays, normals } = self;
-        let known = |point| Placed { point, how: How::Known };
-        let Attachment::Sheet(sheet) = finer.region.attachments[v] else {
-            return known(attached_point(surface, &finer.region, v).unwrap_or(finer.region.points[v]));
-        };
-        if let Some(&point) = coarse.region.points.get(v) {
-            return known(point);
-        }
-        if let Some(point) = self.walked(v, sheet) {
-            return known(point);
-        }
-        match rays.place(sheet, finer.mesh.position(v), normals[v]) {
-            Some((point, is_hit)) => Placed { point, how: if is_hit { How::Ray } else { How::Nearest } },
-            None => known(finer.region.points[v]),
-        }
+/// Places what has no point yet by rays, or at the nearest point. Most levels have none such, and then need neither indices nor normals.
+fn place_others(surface: &Surface, finer: &Domain, points: &mut [Option<SurfacePoint>]) -> ProjectReport {
+    let mut report = ProjectReport::default();
+    if points.iter().all(Option::is_some) {
+        return report;
     }
-
-    /// The nearer of the places that walks from both ends lead to. `None` where no end is inside the sheet.
-    fn walked(&self, v: VertexId, sheet: SheetId) -> Option<SurfacePoint> {
-        let Self { surface, coarse, finer, .. } = self;
-        let (mesh, middle) = (surface.mesh(), finer.mesh.position(v));
-        let ends = finer.topology.one_ring(v).filter_map(|end| Some((end, *coarse.region.points.get(end)?)));
-        let inside = ends.filter(|(end, point)| {
-            coarse.region.attachments[*end] == Attachment::Sheet(sheet) && mesh.faces().get(point.face).is_some()
-        });
-        let walk = |(_, start): (VertexId, SurfacePoint)| {
-            let way = middle - start.position(mesh);
-            walk_end(mesh, surface.topology(), start, way, |e| !surface.network().is_barrier(e))
-        };
-        let distance = |p: &SurfacePoint| p.position(mesh).distance(middle);
-        inside.map(walk).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    let (rays, normals) = (Rays::new(surface), interpolated_normals(finer));
+    for (v, point) in finer.region.vertices().zip(points).filter(|(_, point)| point.is_none()) {
+        let Attachment::Sheet(sheet) = finer.region.attachments[v] else { continue };
+        let Some((found, is_hit)) = rays.place(sheet, finer.mesh.position(v), normals[v]) else { continue };
+        report.by_ray += usize::from(is_hit);
+        report.by_nearest += usize::from(!is_hit);
+        *point = Some(found);
     }
+    report
 }

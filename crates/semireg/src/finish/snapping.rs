@@ -1,12 +1,13 @@
 //! The relaxed domain hung on bends and minor creases, as far as its triangles bear it.
 
+use super::levels::together;
 use crate::Error;
 use crate::attempt::Remedy;
 use crate::candidate::Candidate;
 use crate::report::SnapCounts;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
-use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
+use relax::{QuadricOptions, RelaxOptions, Relaxed, ShapeOptions};
 use snap::{LetGo, SnapOptions, Snapped};
 use std::time::Instant;
 
@@ -77,9 +78,7 @@ fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &m
 /// A snapped domain, relaxed and judged.
 fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &RelaxOptions) -> Result<Candidate, Error> {
     let relaxed = relax::relax(&snapped.surface, &snapped.domain, options)?;
-    let RelaxReport { end, shape_steps, .. } = relaxed.report;
-    let first = before.relaxed.report;
-    let report = RelaxReport { end, shape_steps: first.shape_steps + shape_steps, ..first };
+    let report = together(before.relaxed.report, relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {
         surface: snapped.surface.clone(),
