@@ -27,9 +27,9 @@ pub(crate) fn run(plan: &BasePlan) -> anyhow::Result<()> {
     let read_seconds = start.elapsed().as_secs_f64();
     let based = semireg::base_with(&document.soup, &plan.options, &mut |progress| meter.step(progress))
         .with_context(|| plan.input.display().to_string())?;
-    meter.check()?;
     let base = based.stages.on_working_mesh()?;
     let mut report = BaseReport::new(plan, &based, &base.mesh)?;
+    meter.begin_writing()?;
     if let Some(folder) = &plan.stages {
         stages::write_base(folder, &based.stages)?;
     }

@@ -26,7 +26,6 @@ mod verdict;
 use args::{Args, Command};
 use clap::Parser as _;
 use failure::{Failure, Kind};
-use std::io::{self, Write as _};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -41,7 +40,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(e) => {
             let failure = Failure::of(e);
-            tell(&failure, json);
+            failure.tell(json);
             ExitCode::from(failure.exit_code())
         }
     }
@@ -56,14 +55,6 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
     }
-}
-
-/// Prints what went wrong. That nobody listens is no error: the exit code still tells.
-fn tell(failure: &Failure, json: bool) {
-    if json && !failure.told {
-        print::json(failure).ok();
-    }
-    writeln!(io::stderr(), "error: {failure}").ok();
 }
 
 /// Prints what clap says: help that was asked for, or what is wrong with the command line.

@@ -6,11 +6,14 @@ use indicatif::{ProgressBar, ProgressStyle};
 use semireg::Progress;
 use std::io::{self, IsTerminal as _, Write as _};
 use std::ops::ControlFlow;
-use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicU8, Ordering};
+use std::time::Duration;
+use std::{process, thread};
 
-/// Set when the user has pressed Ctrl-C.
-static CANCELLED: AtomicBool = AtomicBool::new(false);
+/// What the program is at.
+static PHASE: Phase = Phase::new();
+/// A run that Ctrl-C has not ended by itself after this time is ended with the whole program.
+const GRACE: Duration = Duration::from_millis(200);
 
 /// What the bar shows.
 const TEMPLATE: &str = "{bar:30} {percent:>3} %  {elapsed}  {msg}";
@@ -22,22 +25,49 @@ pub(crate) struct Meter<'a> {
     bar: Option<ProgressBar>,
     lines: bool,
     last: Option<(&'static str, usize)>,
-    cancelled: &'a AtomicBool,
+    phase: &'a Phase,
+}
+
+/// Whether there is work that Ctrl-C may end. It may until files are written: these are written whole.
+struct Phase(AtomicU8);
+
+impl Phase {
+    const WORKING: u8 = 0;
+    const WRITING: u8 = 1;
+    const CANCELLED: u8 = 2;
+
+    const fn new() -> Self {
+        Self(AtomicU8::new(Self::WORKING))
+    }
+
+    /// Goes from work to another phase, unless it has gone already. Returns whether it is in that phase now.
+    fn enter(&self, phase: u8) -> bool {
+        let before = self.0.compare_exchange(Self::WORKING, phase, Ordering::Relaxed, Ordering::Relaxed);
+        before.is_ok() || before == Err(phase)
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed) == Self::CANCELLED
+    }
 }
 
 impl Meter<'static> {
-    /// A meter on standard error, which Ctrl-C ends from now on: the run is asked to end, and a second Ctrl-C ends the program at once.
+    /// A meter on standard error. From now on Ctrl-C ends the run, and the program with it within a quarter of a second.
     pub(crate) fn new(talk: Talk) -> Self {
-        let on_second = || {
-            if CANCELLED.swap(true, Ordering::Relaxed) {
-                process::exit(i32::from(Failure::cancelled().exit_code()));
+        let cancel = move || {
+            if PHASE.enter(Phase::CANCELLED) {
+                // The run ends between its steps. A long step is not waited for: nothing was written yet.
+                thread::sleep(GRACE);
+                let failure = Failure::cancelled();
+                failure.tell(talk.json);
+                process::exit(i32::from(failure.exit_code()));
             }
         };
         // Without a handler, Ctrl-C ends the program as ever.
-        ctrlc::set_handler(on_second).ok();
+        ctrlc::set_handler(cancel).ok();
         let is_bar = !talk.quiet && io::stderr().is_terminal();
         let lines = talk.verbose && !is_bar;
-        Self { bar: is_bar.then(bar), lines, last: None, cancelled: &CANCELLED }
+        Self { bar: is_bar.then(bar), lines, last: None, phase: &PHASE }
     }
 }
 
@@ -53,12 +83,12 @@ impl Meter<'_> {
             self.last = Some((stage, attempt));
             writeln!(io::stderr(), "{:3.0} %  {text}", 100.0 * share).ok();
         }
-        if self.cancelled.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.phase.is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Fails when the user has ended the run: for the time when nobody asks for progress.
-    pub(crate) fn check(&self) -> Result<(), Failure> {
-        if self.cancelled.load(Ordering::Relaxed) { Err(Failure::cancelled()) } else { Ok(()) }
+    /// Files are written from now on, and Ctrl-C is not heard any more. Fails when the user has ended the run before.
+    pub(crate) fn begin_writing(&self) -> Result<(), Failure> {
+        if self.phase.enter(Phase::WRITING) { Ok(()) } else { Err(Failure::cancelled()) }
     }
 }
 
@@ -81,16 +111,23 @@ mod tests {
 
     #[test]
     fn a_step_goes_on_until_the_user_cancels() {
-        let cancelled = AtomicBool::new(false);
-        let mut meter = Meter { bar: Some(ProgressBar::hidden()), lines: false, last: None, cancelled: &cancelled };
+        let phase = Phase::new();
+        let mut meter = Meter { bar: Some(ProgressBar::hidden()), lines: false, last: None, phase: &phase };
         let progress = Progress { stage: "relax", attempt: 2, share: 0.5 };
         assert_eq!(meter.step(progress), ControlFlow::Continue(()));
-        assert!(meter.check().is_ok());
         assert_eq!(meter.bar.as_ref().map(|bar| bar.message()), Some("relax (attempt 2)".to_owned()));
-        cancelled.store(true, Ordering::Relaxed);
+        assert!(phase.enter(Phase::CANCELLED));
         assert_eq!(meter.step(progress), ControlFlow::Break(()));
-        let failure = meter.check().unwrap_err();
+        let failure = meter.begin_writing().unwrap_err();
         assert_eq!((failure.to_string(), failure.exit_code()), ("cancelled".to_owned(), 130));
+    }
+
+    #[test]
+    fn what_is_being_written_is_written_whole() {
+        let phase = Phase::new();
+        let meter = Meter { bar: None, lines: false, last: None, phase: &phase };
+        assert!(meter.begin_writing().is_ok() && !phase.enter(Phase::CANCELLED) && !phase.is_cancelled());
+        assert!(meter.begin_writing().is_ok());
     }
 
     #[test]

@@ -21,12 +21,11 @@ pub(crate) fn run(plan: &RemeshPlan) -> anyhow::Result<()> {
     let remeshed = semireg::remesh_with(&document.soup, &options, &mut |progress| meter.step(progress))
         .with_context(|| plan.input.display().to_string())?;
     let before_writing = Instant::now();
-    meter.check()?;
+    meter.begin_writing()?;
     // Pictures first: when they fail, there is no result beside the error.
     if let Some(folder) = &plan.stages {
         stages::write(folder, &remeshed)?;
     }
-    meter.check()?;
     mesh_io::write(&plan.output, &remeshed.mesh)?;
     drop(meter);
     let write_seconds = before_writing.elapsed().as_secs_f64();
