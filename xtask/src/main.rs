@@ -1,7 +1,9 @@
 //! Chores of the workspace, run as `cargo xtask <chore>`.
 
 mod ablation;
+mod bench;
 mod ci;
+mod cost;
 mod markdown;
 mod models;
 mod process;
@@ -36,6 +38,11 @@ enum Chore {
     Results(results::Args),
     /// Measure what each part of the method adds, and write the tables of docs/ablation.md
     Ablation(ablation::Args),
+    /// Measure processor time and memory by size and by stage, and write the tables of docs/performance.md
+    Bench(bench::Args),
+    /// Run a program and note what it took: how `bench` starts others
+    #[command(hide = true)]
+    Cost(cost::Args),
 }
 
 fn main() -> ExitCode {
@@ -46,6 +53,8 @@ fn main() -> ExitCode {
         Chore::Regress(args) => regress::run(&args),
         Chore::Results(args) => results::run(&args),
         Chore::Ablation(args) => ablation::run(&args),
+        Chore::Bench(args) => bench::run(&args),
+        Chore::Cost(args) => cost::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

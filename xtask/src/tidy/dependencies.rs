@@ -63,6 +63,7 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("indicatif", &["cli"]),
     ("serde", &["cli", "xtask"]),
     ("serde_json", &["cli", "xtask"]),
+    ("nix", &["xtask"]),
     ("proc-macro2", &["xtask"]),
     ("syn", &["xtask"]),
     ("criterion", &["semireg"]),
