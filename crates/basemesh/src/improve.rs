@@ -11,7 +11,7 @@ mod straight_corners;
 
 use crate::editor::{Checkpoint, Editor, Filling, Hole, Removal};
 use crate::{BaseError, BaseOptions};
-use flips::{flip_edges, settle};
+use flips::{flip_edges, flip_near, settle};
 use mesh_core::{VertexId, equilateral_edge_length};
 use region_map::{BaseMesh, Sizing, Surface};
 #[cfg(test)]
@@ -172,15 +172,19 @@ fn collapse_short(editor: &mut Editor<'_>, sizing: &Sizing, limit: f64, longest:
 /// Takes vertices of faces that face against the surface away, where that leaves none that does. Left alone, such a place would grow: its
 /// edges wind, are split for their length, and wind all the more.
 fn collapse_folded(editor: &mut Editor<'_>) {
+    let mut changed = Vec::new();
     for face in editor.faces() {
         if !editor.is_face(face) || !is_folded(editor, face) {
             continue;
         }
         let holes = face.map(|v| editor.hole(v));
         let ways: Vec<_> = holes.iter().flatten().map(|hole| (hole, Filling::Cheapest)).collect();
-        take_best(editor, &ways, |removal| removal.quality > 0.0);
+        let around = editor.edges_near(&face);
+        if take_best(editor, &ways, |removal| removal.quality > 0.0) {
+            changed.extend(around.into_iter().flatten());
+        }
     }
-    flip_edges(editor);
+    flip_near(editor, &changed);
 }
 
 fn n_folded(editor: &Editor<'_>) -> usize {

@@ -32,7 +32,7 @@ pub enum Remedy {
     FewerCreases(f64),
     /// The surroundings of faulty triangles relaxed by themselves, as far as so many base edges.
     RelaxPlaces(f64),
-    /// Edges of the base mesh bisected under faulty triangles.
+    /// Edges of the base mesh bisected under faulty triangles, or where the input is missed.
     BisectBase(EdgeChoice),
     /// Finest edges snapped to bends and minor creases.
     Snap,
@@ -46,7 +46,7 @@ pub enum Remedy {
     LeaveUnfitted,
 }
 
-/// Which edge of the base face under a faulty triangle is bisected.
+/// Which edge of the base face under a triangle is bisected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeChoice {
     /// The longest.
@@ -55,6 +55,8 @@ pub enum EdgeChoice {
     AtTip,
     /// The shortest.
     Shortest,
+    /// The longest of those on arcs, if it has any; else the longest.
+    OnArc,
 }
 
 impl Remedy {
@@ -76,6 +78,7 @@ impl fmt::Display for Remedy {
             Self::BisectBase(EdgeChoice::Longest) => write!(f, "longest base edges bisected under faulty triangles"),
             Self::BisectBase(EdgeChoice::AtTip) => write!(f, "base edges at the tips of faulty triangles bisected"),
             Self::BisectBase(EdgeChoice::Shortest) => write!(f, "shortest base edges bisected under faulty triangles"),
+            Self::BisectBase(EdgeChoice::OnArc) => write!(f, "base edges bisected where the input is missed"),
             Self::Snap => write!(f, "snapped to bends and minor creases"),
             Self::LetGoCreases => write!(f, "snapped without the creases beside poor triangles"),
             Self::Fit => write!(f, "fitted"),

@@ -25,6 +25,8 @@ pub(crate) struct Candidate {
     pub(crate) faults: Faults,
     /// What the finest level was snapped to.
     pub(crate) snapped: SnapCounts,
+    /// Why it was not, though there is something to snap to.
+    pub(crate) unsnapped: Option<String>,
 }
 
 impl Candidate {

@@ -31,7 +31,17 @@ pub(crate) fn settle(editor: &mut Editor<'_>) {
 
 /// Passes of flips until none gains: the first over all edges, the others round the flips of the one before.
 pub(crate) fn flip_edges(editor: &mut Editor<'_>) {
-    let mut edges = editor.edges();
+    let all = editor.edges();
+    flip(editor, all);
+}
+
+/// The same, with a first pass over the edges of the faces at some vertices.
+pub(crate) fn flip_near(editor: &mut Editor<'_>, vertices: &[VertexId]) {
+    let near = editor.edges_near(vertices);
+    flip(editor, near);
+}
+
+fn flip(editor: &mut Editor<'_>, mut edges: Vec<[VertexId; 2]>) {
     for _ in 0..FLIP_PASSES {
         let mut changed = Vec::new();
         for [a, b] in edges {

@@ -49,6 +49,7 @@ pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run:
         relaxed,
         faults,
         snapped: SnapCounts::default(),
+        unsnapped: None,
     };
     Ok(Placed { subdivided: subdivided.domain.mesh, projected: projected.domain.mesh, project: projected.report, candidate })
 }

@@ -7,7 +7,8 @@ use crate::candidate::Candidate;
 use crate::report::SnapCounts;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
-use relax::{QuadricOptions, RelaxOptions, Relaxed, ShapeOptions};
+use mesh_core::{FaceId, HalfedgeId};
+use relax::{Relaxed, ShapeOptions};
 use snap::{LetGo, SnapOptions, Snapped};
 use std::time::Instant;
 
@@ -15,6 +16,8 @@ use std::time::Instant;
 const STEPS: usize = 4;
 /// The same while triangles are folded.
 const UNTANGLING_STEPS: usize = 8;
+/// Vertices up to so many edges away from what was snapped make way. More gives better triangles there, and takes longer.
+const REACH: usize = 6;
 /// So often the domain is snapped, each time without what came out poor before. A few poor triangles of the last time are borne: they are
 /// not worth all creases.
 const ROUNDS: usize = 4;
@@ -23,30 +26,20 @@ const ROUNDS: usize = 4;
 const MOST_ROUNDS: usize = 8;
 
 /// Snaps a candidate to bends and minor creases and relaxes it again. It comes back as it was where there are none, where the certificate
-/// would refuse more triangles than before, or where snapping fails; the last two with a warning.
-pub(super) fn snapped(
-    input: &Reference,
-    before: Candidate,
-    options: &RelaxOptions,
-    run: &mut Run,
-    warnings: &mut Vec<String>,
-) -> Candidate {
-    let left = match rounds(input, &before, options, run) {
+/// would refuse more triangles than before, or where snapping fails; of the last two it tells.
+pub(super) fn snapped(input: &Reference, before: Candidate, options: &ShapeOptions, run: &mut Run) -> Candidate {
+    let unsnapped = match rounds(input, &before, options, run) {
         Ok(Some(snapped)) if snapped.n_faults() <= before.n_faults() => return snapped,
         Ok(None) => return before,
         Ok(Some(_)) => "some triangles did not bear them".to_string(),
         Err(e) => e.to_string(),
     };
-    warnings.push(format!("bends and minor creases were left as they came out: {left}"));
-    before
+    Candidate { unsnapped: Some(unsnapped), ..before }
 }
 
 /// The round of snapping with the fewest triangles that the certificate would refuse; `None` where there is nothing to snap to.
-fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
-    let few_steps = RelaxOptions {
-        quadric: QuadricOptions { iterations: 0, ..options.quadric.clone() },
-        shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.shape.clone() },
-    };
+fn rounds(input: &Reference, before: &Candidate, options: &ShapeOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
+    let few_steps = ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.clone() };
     let snap_options = SnapOptions::default();
     let start = &before.relaxed.domain;
     let (mut let_go, mut best) = (LetGo::default(), None);
@@ -75,9 +68,12 @@ fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &m
     Ok(best)
 }
 
-/// A snapped domain, relaxed and judged.
-fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &RelaxOptions) -> Result<Candidate, Error> {
-    let relaxed = relax::relax(&snapped.surface, &snapped.domain, options)?;
+/// A snapped domain, relaxed around what was snapped, and judged.
+fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &ShapeOptions) -> Result<Candidate, Error> {
+    let on_paths = snapped.tracks.iter().flat_map(|track| track.path.iter().copied());
+    let vertices = snapped.bends.iter().map(|bend| bend.vertex).chain(on_paths);
+    let faces: Vec<FaceId> = vertices.flat_map(|v| snapped.domain.topology.fan(v).map(HalfedgeId::face)).collect();
+    let relaxed = relax::relax_around(&snapped.surface, &snapped.domain, &faces, REACH, options)?;
     let report = together(before.relaxed.report, relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {

@@ -7,7 +7,7 @@ use crate::base::{Base, BaseStages, Way};
 use crate::input::Input;
 use crate::remeshed::{Remeshed, Stages};
 use crate::report::Report;
-use crate::rescue::{NextStage, mended};
+use crate::rescue::{NextStage, followed, mended};
 use crate::run::{Run, StageSeconds};
 use crate::{Error, Options};
 
@@ -20,8 +20,10 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
         _ => mended(&input.reference, candidate, options, run)?,
     };
     NextStage::Snap.is_worth(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
+    let snap = |candidate, run: &mut Run| snapped(&input.reference, candidate, &options.relax.shape, run);
+    let candidate = followed(&input.reference, candidate, options, run, snap)?;
     let mut warnings = stages.warnings.clone();
-    let candidate = snapped(&input.reference, candidate, &options.relax, run, &mut warnings);
+    warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
     NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
     let Certified { domain, offsets, fit, certificate } = certified.map_err(|e| on_its_base(e, stages))?;
@@ -56,5 +58,42 @@ fn on_its_base(error: Error, stages: &BaseStages) -> Error {
             Error::BaseNotCertified { failure, untraced }
         }
         (error, _) => error,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::Proposals;
+    use crate::candidate::Candidate;
+    use crate::progress::Watch;
+    use crate::rescue::PLAN;
+
+    /// What is pulled off the surface in the first result gets base vertices; where a number is asked for it holds.
+    #[test]
+    fn the_base_mesh_is_refined_where_a_result_misses_the_input() {
+        let asked = Options { base_vertices: Some(24), levels: 2, ..Options::default() };
+        let mut run = Run::new(Watch::default());
+        let input = Input::new(&fixtures::cylinder(0.5, 1.5, 96).to_soup(), &asked, &mut run).unwrap();
+        let mut proposals = Proposals::new(&input, &asked, &PLAN[0].1, 0, &|_, _| Ok(()), &mut run).unwrap();
+        let start = placed(&input, &proposals.next(&mut run).unwrap().unwrap(), &asked, &mut run).unwrap().candidate;
+        let n = start.base.mesh().n_vertices();
+        let pulled = |mut candidate: Candidate, _: &mut Run| {
+            if candidate.base.mesh().n_vertices() == n {
+                let mut positions: Vec<glam::DVec3> = candidate.relaxed.domain.mesh.positions().iter().copied().collect();
+                positions.iter_mut().take(1).for_each(|p| *p *= 1.5);
+                candidate.relaxed.domain.mesh = candidate.relaxed.domain.mesh.with_positions(positions).unwrap();
+            }
+            candidate
+        };
+        let mut after = |options: &Options| followed(&input.reference, start.clone(), options, &mut run, pulled).unwrap();
+        let greatest = |result: &Candidate| certify::missed(&input.reference, &result.relaxed.domain.mesh, 0.0).greatest;
+        let as_asked = after(&asked);
+        assert_eq!(as_asked.base.mesh().n_vertices(), n);
+        let refined = after(&Options { base_vertices: None, ..asked.clone() });
+        let grown = refined.base.mesh().n_vertices() - n;
+        assert!((1..=8).contains(&grown) && refined.n_faults() == 0, "{grown}");
+        assert!(greatest(&refined) < 0.5 * greatest(&as_asked), "{} {}", greatest(&refined), greatest(&as_asked));
+        certify::connectivity(&refined.relaxed.domain.mesh, 2).unwrap();
     }
 }

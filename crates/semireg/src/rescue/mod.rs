@@ -1,10 +1,13 @@
 //! What is tried where a result is not right at once: the plan, its budget, and what mends single places.
 
 mod budget;
+mod mender;
+mod misses;
 mod places;
 mod plan;
 
 pub use budget::MAX_TRIANGLES;
 pub(crate) use budget::{Budget, NextStage};
+pub(crate) use misses::followed;
 pub(crate) use places::mended;
 pub(crate) use plan::{Loss, PLAN};
