@@ -4,6 +4,7 @@ mod ablation;
 mod ci;
 mod markdown;
 mod models;
+mod paper;
 mod process;
 mod python;
 mod regress;
@@ -36,6 +37,8 @@ enum Chore {
     Results(results::Args),
     /// Measure what each part of the method adds, and write the tables of docs/ablation.md
     Ablation(ablation::Args),
+    /// Remesh the paper's models by its pipeline as it is printed and by our default, and write the tables of docs/paper.md
+    Paper(paper::Args),
 }
 
 fn main() -> ExitCode {
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Chore::Regress(args) => regress::run(&args),
         Chore::Results(args) => results::run(&args),
         Chore::Ablation(args) => ablation::run(&args),
+        Chore::Paper(args) => paper::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
