@@ -33,7 +33,7 @@ impl Default for QuadricOptions {
 /// Weights of the neighbours in the centroid.
 ///
 /// Measured against the paper's claim, with its own pipeline (`--method paper`): adaptive weights make areas more even and shapes worse (mean AR,
-/// uniform to adaptive: fandisk .864 to .832, rabbit .927 to .859, kitten .928 to .860). So uniform is the default.
+/// uniform to adaptive: fandisk .863 to .832, rabbit .926 to .864, rocker arm .894 to .839). So uniform is the default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weights {
     /// All 1 (section 4.3.1).
