@@ -6,6 +6,7 @@ mod ci;
 mod cost;
 mod markdown;
 mod models;
+mod paper;
 mod process;
 mod python;
 mod regress;
@@ -43,6 +44,8 @@ enum Chore {
     /// Run a program and note what it took: how `bench` starts others
     #[command(hide = true)]
     Cost(cost::Args),
+    /// Remesh the paper's models by its pipeline as it is printed and by our default, and write the tables of docs/paper.md
+    Paper(paper::Args),
 }
 
 fn main() -> ExitCode {
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         Chore::Ablation(args) => ablation::run(&args),
         Chore::Bench(args) => bench::run(&args),
         Chore::Cost(args) => cost::run(&args),
+        Chore::Paper(args) => paper::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -27,12 +27,14 @@ pub(crate) struct Request<'a> {
     /// A base mesh from elsewhere, instead of a number of base vertices.
     pub(crate) base: Option<&'a Path>,
     pub(crate) fit: bool,
+    /// More options of the program.
+    pub(crate) options: &'a [&'a str],
 }
 
 impl<'a> Request<'a> {
     /// With the program's defaults.
     pub(crate) fn of(input: &'a Path) -> Self {
-        Self { input, base_vertices: None, levels: LEVELS, threads: None, base: None, fit: true }
+        Self { input, base_vertices: None, levels: LEVELS, threads: None, base: None, fit: true, options: &[] }
     }
 }
 
@@ -103,7 +105,7 @@ impl Remesher {
         fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
         let output = folder.join(format!("{verb}.obj"));
         let mut command = Command::new(&self.binary);
-        command.arg(verb).arg(request.input).arg("-o").arg(&output).arg("--json").args(options);
+        command.arg(verb).arg(request.input).arg("-o").arg(&output).arg("--json").args(options).args(request.options);
         command.args(request.base_vertices.map(|n| format!("--base-vertices={n}")));
         command.args(request.base.map(|path| OsString::from_iter([OsStr::new("--base="), path.as_os_str()])));
         command.args(request.threads.map(|n| format!("--threads={n}")));

@@ -5,7 +5,7 @@ mod patch_cdt;
 mod vertices;
 
 use crate::arguments::{check_sites, check_wishes};
-use crate::improve::improved;
+use crate::improve::{improved, made_delaunay};
 use crate::{BaseError, BaseOptions};
 use assemble::{FlatFace, Patchwork, make_simplicial};
 use chart::{PatchChart, chart_patch};
@@ -47,6 +47,9 @@ pub fn build(
         cells.arcs.ids().flat_map(|a| edges_along(cells, &vertices.border, a)).map(|e| e.ends).collect();
     let patchwork = make_simplicial(IdVec::from_vec(faces), &charts, &arc_edges, vertices.points.len());
     let first = join(surface, cells, vertices, charts, patchwork)?;
+    if options.rounds == 0 {
+        return made_delaunay(surface, first, &arc_edges);
+    }
     improved(surface, first, sizing, options)
 }
 

@@ -20,7 +20,7 @@ pub fn decimate(surface: &Surface, sizing: &Sizing, options: &BaseOptions) -> Re
 }
 
 /// The working mesh as its own base mesh: a chart for every face.
-fn identity(surface: &Surface) -> Result<BaseMesh, MapError> {
+pub(crate) fn identity(surface: &Surface) -> Result<BaseMesh, MapError> {
     let n = surface.mesh().n_faces();
     let charts = (0..n).map(|f| Chart::of_face(FaceId::new(f))).collect();
     let first: Vec<_> = (0..n).map(|f| (ChartId::new(f), CORNERS)).collect();

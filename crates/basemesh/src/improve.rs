@@ -5,15 +5,18 @@
 //! mesh (rows of vertices along smooth arcs, thin patches without an inner vertex) is gone after a few rounds. Then single splits and
 //! collapses meet the wanted number of vertices.
 
+mod delaunay;
 mod flips;
 mod shape;
 mod straight_corners;
 
 use crate::editor::{Checkpoint, Editor, Filling, Hole, Removal};
 use crate::{BaseError, BaseOptions};
+use delaunay::delaunay_flips;
 use flips::{flip_edges, flip_near, settle};
 use mesh_core::{VertexId, equilateral_edge_length};
 use region_map::{BaseMesh, Sizing, Surface};
+use rustc_hash::FxHashSet;
 #[cfg(test)]
 pub(crate) use shape::has_straight_corner;
 pub(crate) use shape::is_folded;
@@ -58,6 +61,13 @@ pub(crate) fn improved(
 ) -> Result<BaseMesh, BaseError> {
     let mut editor = Editor::new(surface, first);
     improve(&mut editor, sizing, options);
+    editor.finish()
+}
+
+/// A first base mesh with the same vertices and, but for the edges that are `fixed` (ends rising), Delaunay by the lengths of its edges.
+pub(crate) fn made_delaunay(surface: &Surface, first: BaseMesh, fixed: &FxHashSet<[VertexId; 2]>) -> Result<BaseMesh, BaseError> {
+    let mut editor = Editor::new(surface, first);
+    delaunay_flips(&mut editor, |edge| fixed.contains(&edge));
     editor.finish()
 }
 

@@ -6,7 +6,8 @@ pub struct BaseOptions {
     /// Wanted number of vertices, up to 10 million; the improvement removes and adds vertices to meet it as far as corners and arcs
     /// allow. Default 200.
     pub base_vertices: usize,
-    /// Rounds of improvement of the connectivity, up to 1,000; 0 keeps the triangulation of the sites as it is. Default 10.
+    /// Rounds of improvement of the connectivity, up to 1,000. Default 10. With 0 all sites stay, and inside each patch they are joined by a
+    /// constrained Delaunay triangulation, by the lengths of base edges.
     pub rounds: usize,
     /// The share of a patch that its chart may shrink to less than a quarter of the mean scale, 0 to 1; patches beyond it are
     /// refused as uncharted. Default 0.05. Measured: convex patches stay below .01; beyond .05 the fine triangles that the map

@@ -1,7 +1,7 @@
 //! The command line as the user types it.
 
 use clap::{Parser, Subcommand};
-use semireg::{Method, Options};
+use semireg::{Method, Options, PaperOptions, Weights};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -48,6 +48,62 @@ pub(crate) struct RemeshArgs {
     /// Leave a picture (PNG) and a coloured mesh (PLY) of every stage in this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) stages: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) paper: PaperArgs,
+}
+
+/// What only `--method paper` takes.
+#[derive(clap::Args, Clone, Copy)]
+pub(crate) struct PaperArgs {
+    /// With --method paper: weights of the neighbours in its relaxation [default: uniform]
+    #[arg(long, value_name = "WEIGHTS", value_enum)]
+    pub(crate) relax_weights: Option<WeightsArg>,
+    /// With --method paper: mean quality at which its relaxation stops, 0 to 1 [default: 1, never reached]
+    #[arg(long, value_name = "Q", value_parser = quality, allow_negative_numbers = true)]
+    pub(crate) target_quality: Option<f64>,
+    /// With --method paper: iterations of its relaxation at most; it ends before when nothing is gained [default: 100]
+    #[arg(long, value_name = "N", value_parser = iterations, allow_negative_numbers = true)]
+    pub(crate) relax_iterations: Option<u32>,
+}
+
+impl PaperArgs {
+    /// The first option that was given.
+    pub(crate) fn given(self) -> Option<&'static str> {
+        let options = [
+            ("--relax-weights", self.relax_weights.is_some()),
+            ("--target-quality", self.target_quality.is_some()),
+            ("--relax-iterations", self.relax_iterations.is_some()),
+        ];
+        options.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
+    }
+
+    /// The same for the library.
+    pub(crate) fn options(self) -> PaperOptions {
+        let default = PaperOptions::default();
+        PaperOptions {
+            weights: self.relax_weights.map_or(default.weights, Weights::from),
+            target_quality: self.target_quality.unwrap_or(default.target_quality),
+            iterations: self.relax_iterations.map_or(default.iterations, |n| n as usize),
+        }
+    }
+}
+
+/// Weights of the neighbours.
+#[derive(clap::ValueEnum, Clone, Copy)]
+pub(crate) enum WeightsArg {
+    /// All alike
+    Uniform,
+    /// More at vertices of many triangles, less at those of few, smooth between them
+    Adaptive,
+}
+
+impl From<WeightsArg> for Weights {
+    fn from(weights: WeightsArg) -> Self {
+        match weights {
+            WeightsArg::Uniform => Self::Uniform,
+            WeightsArg::Adaptive => Self::Adaptive,
+        }
+    }
 }
 
 #[derive(clap::Args)]
@@ -86,7 +142,7 @@ pub(crate) struct SourceArgs {
     /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
     #[arg(long, value_name = "FILE")]
     pub(crate) marked_edges: Option<PathBuf>,
-    /// How base meshes are made [default: best]
+    /// How results are made [default: best]
     #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArg::Best, hide_default_value = true)]
     pub(crate) method: MethodArg,
     /// Seed of all that is chosen at random
@@ -102,15 +158,17 @@ pub(crate) struct SourceArgs {
     pub(crate) talk: Talk,
 }
 
-/// Which ways to a base mesh are gone.
+/// How results are made.
 #[derive(clap::ValueEnum, Clone, Copy)]
 pub(crate) enum MethodArg {
     /// The way that promises more; the other one where its result is not right
     Best,
-    /// The paper's way alone: sites of patches, triangulated in charts
+    /// Sites of patches, triangulated in charts, alone
     Patches,
     /// Decimation alone
     Decimation,
+    /// The paper's pipeline as it is printed, from the patches to its relaxation, for comparison
+    Paper,
 }
 
 impl From<MethodArg> for Method {
@@ -119,6 +177,7 @@ impl From<MethodArg> for Method {
             MethodArg::Best => Self::Best,
             MethodArg::Patches => Self::Patches,
             MethodArg::Decimation => Self::Decimation,
+            MethodArg::Paper => Self::Paper(PaperOptions::default()),
         }
     }
 }
@@ -181,6 +240,17 @@ fn threads(text: &str) -> Result<u16, String> {
     whole(text, 1..=1024).map(|n| n as u16)
 }
 
+fn iterations(text: &str) -> Result<u32, String> {
+    whole(text, 0..=1_000_000).map(|n| n as u32)
+}
+
+fn quality(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(quality) if (0.0..=1.0).contains(&quality) => Ok(quality),
+        _ => Err("a quality from 0 to 1 is needed".to_owned()),
+    }
+}
+
 fn seed(text: &str) -> Result<u64, String> {
     whole(text, 0..=u64::MAX)
 }
@@ -230,6 +300,8 @@ mod tests {
             ("--base-vertices", "-5", "from 1 to 4294967295"),
             ("--threads", "-2", "from 1 to 1024"),
             ("--seed", "-1", "from 0 to"),
+            ("--target-quality", "1.5", "from 0 to 1"),
+            ("--relax-iterations", "-1", "from 0 to 1000000"),
             ("--crease-angle", "-10", "between 0 and 180 degrees"),
         ] {
             let said =

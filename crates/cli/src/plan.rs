@@ -1,10 +1,10 @@
 //! What the user typed, checked and made ready, before any long work.
 
-use crate::args::{BaseArgs, RemeshArgs, SourceArgs, StagesArgs, Talk};
+use crate::args::{BaseArgs, MethodArg, RemeshArgs, SourceArgs, StagesArgs, Talk};
 use crate::failure::{Failure, Kind};
 use crate::{load, overwrite, stages};
 use anyhow::Context as _;
-use semireg::{MAX_TRIANGLES, Options};
+use semireg::{MAX_TRIANGLES, Method, Options};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -32,6 +32,7 @@ impl RemeshPlan {
     /// Checks that the result can be written, sets up the threads and takes over the options.
     pub(crate) fn new(args: RemeshArgs) -> anyhow::Result<Self> {
         check_size(args.source.base_vertices, args.levels)?;
+        check_paper(&args)?;
         let pictures = args.stages.as_deref().map(|folder| stages::files(folder, true)).unwrap_or_default();
         check_overwrite(&args.source, args.base.as_deref(), &[pictures.as_slice(), std::slice::from_ref(&args.output)].concat())?;
         // First, as the result may go into the same folder.
@@ -41,6 +42,9 @@ impl RemeshPlan {
         start_threads(&args.source)?;
         let mut options = Options { levels: args.levels, ..source_options(&args.source)? };
         options.fit = options.fit.filter(|_| !args.no_fit);
+        if let Method::Paper(paper) = &mut options.method {
+            *paper = args.paper.options();
+        }
         let RemeshArgs { source, output, base, stages, .. } = args;
         Ok(Self { input: source.input, output, base, options, talk: source.talk, stages })
     }
@@ -99,6 +103,17 @@ fn source_options(args: &SourceArgs) -> anyhow::Result<Options> {
     }
     options.marked_edges = args.marked_edges.as_deref().map(load::lines).transpose()?.unwrap_or_default();
     Ok(options)
+}
+
+/// What only the paper's method takes is given with no other.
+fn check_paper(args: &RemeshArgs) -> Result<(), Failure> {
+    match args.paper.given() {
+        Some(option) if !matches!(args.source.method, MethodArg::Paper) => {
+            let message = format!("{option} has no meaning without --method paper; add that or leave {option} out");
+            Err(Failure::new(Kind::Usage, message))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A closed surface has about two triangles a vertex.

@@ -26,6 +26,8 @@ pub(crate) struct Report {
     levels: Vec<[usize; 2]>,
     cells: Cells,
     crease_length: CreaseLength,
+    /// Iterations of the paper's relaxation.
+    relax_iterations: usize,
     fit: Option<Fit>,
     #[serde(flatten)]
     figures: Figures,
@@ -204,6 +206,7 @@ impl Report {
             levels: certificate.hierarchy.iter().flat_map(|h| &h.levels).map(|l| [l.vertices, l.faces]).collect(),
             cells: report.cells.into(),
             crease_length: report.crease_lengths.into(),
+            relax_iterations: report.relax.quadric_iterations,
             fit: report.fit.map(|fit| Fit::new(fit, remeshed.stages.base.cleaned.mesh.diagonal())),
             figures: Figures::new(&certificate.measures, |t| t.indexed)
                 .with_sharp_edges(&remeshed.stages.base.cleaned.mesh, &remeshed.mesh),

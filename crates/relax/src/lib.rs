@@ -6,6 +6,7 @@
 //!
 //! - [`relax_holding`] leaves some vertices where they are;
 //! - [`relax_keeping`] holds those without which a limb or a pit of the input would be lost;
+//! - [`relax_in_space`] is the paper's relaxation as it is printed: vertices leave the surface, and a second projection brings them back;
 //! - [`relax_around`] relaxes the places of some faces alone;
 //! - [`inverted`] tells which faces are turned over;
 //! - [`parts`] is for crates that try edits of a domain and compare its energy before and after.
@@ -29,6 +30,7 @@ mod corner_normal;
 mod energy;
 mod error;
 mod freedom;
+mod in_space;
 mod keeping;
 mod measured;
 mod mend;
@@ -48,6 +50,7 @@ mod weights;
 mod whole;
 
 pub use error::RelaxError;
+pub use in_space::{RelaxedInSpace, relax_in_space};
 pub use keeping::relax_keeping;
 pub use options::{QuadricOptions, RelaxOptions, ShapeOptions, Weights};
 pub use quality::Quality;

@@ -9,25 +9,30 @@ use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::placement::Placement;
 use crate::quality::Quality;
-use crate::weights::vertex_weights;
 use glam::DVec3;
 use mesh_core::{IdVec, VertexId};
 
 /// A gain in the mean AR below this counts as none. Less lets the relaxation go on for longer.
-const LEAST_GAIN: f64 = 1e-4;
+pub(crate) const LEAST_GAIN: f64 = 1e-4;
 /// This many iterations in a row without a gain end the relaxation. More lets it get over a standstill, and costs time.
-const MOST_IDLE: usize = 3;
+pub(crate) const MOST_IDLE: usize = 3;
 
 /// Relaxes until the target quality, no gain or the cap. Returns the best placement met and the number of iterations.
-pub(crate) fn relax_quadric(domain: &MovableDomain, start: Measured, options: &QuadricOptions) -> (Measured, usize) {
-    let weights = vertex_weights(&domain.topology, options.weights);
+///
+/// `weights` are those of the vertices in the centroids of their neighbours.
+pub(crate) fn relax_quadric(
+    domain: &MovableDomain,
+    start: Measured,
+    weights: &IdVec<VertexId, f64>,
+    options: &QuadricOptions,
+) -> (Measured, usize) {
     let (mut best, mut best_quality) = (start.clone(), Quality::of(&start, domain));
     let (mut now, mut idle, mut iterations) = (start, 0, 0);
     while iterations < options.iterations && idle < MOST_IDLE && best_quality.ar_mean < options.target_quality {
         if domain.is_interrupted() {
             break;
         }
-        let step = |v: VertexId| quadric_step(domain, now.placement(), &weights, options.plane_weight, v);
+        let step = |v: VertexId| quadric_step(domain, now.placement(), weights, options.plane_weight, v);
         let mut next = Measured::new(domain, now.placement().displaced(domain, step));
         next.hold_upright(domain, &now);
         now = next;
@@ -64,7 +69,7 @@ fn quadric_step(
 }
 
 /// The minimiser of `lambda (n.x)^2 + |x - c|^2` for a unit normal (or 0): `-A^-1 b` with `A = lambda n n^T + I`, `b = -c`.
-fn plane_centroid_minimiser(n: DVec3, lambda: f64, c: DVec3) -> DVec3 {
+pub(crate) fn plane_centroid_minimiser(n: DVec3, lambda: f64, c: DVec3) -> DVec3 {
     c - lambda / (1.0 + lambda) * n.dot(c) * n
 }
 

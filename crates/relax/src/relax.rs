@@ -8,6 +8,7 @@ use crate::placement::Placement;
 use crate::places::relax_places;
 use crate::quadric::relax_quadric;
 use crate::shape::sheet_targets;
+use crate::weights::vertex_weights;
 use crate::{Quality, RelaxError, RelaxOptions, ShapeOptions};
 use mesh_core::{FaceId, VertexId};
 use region_map::{Domain, Surface};
@@ -70,7 +71,8 @@ pub fn relax_holding(
     let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
     let start = Quality::of(&placed, &movable);
 
-    let (relaxed, quadric_iterations) = relax_quadric(&movable, placed, &options.quadric);
+    let weights = vertex_weights(surface, domain, options.quadric.weights);
+    let (relaxed, quadric_iterations) = relax_quadric(&movable, placed, &weights, &options.quadric);
     let after_quadric = Quality::of(&relaxed, &movable);
     let targets = sheet_targets(&movable, &domain.region.sheet_of_face, relaxed.placement());
     let best = best_shape(&Mender::new(&movable), &targets, relaxed, SLACK, &options.shape);

@@ -4,7 +4,10 @@ use glam::DVec3;
 use mesh_core::{FaceId, SurfacePoint, TriMesh, VertexId};
 use proptest::prelude::*;
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, SheetId, Surface};
-use relax::{QuadricOptions, RelaxOptions, ShapeOptions, Weights, inverted, relax, relax_around, relax_holding, relax_keeping};
+use relax::{
+    QuadricOptions, RelaxOptions, ShapeOptions, Weights, inverted, relax, relax_around, relax_holding, relax_in_space,
+    relax_keeping,
+};
 
 /// Mostly from a range, else anything.
 fn wild(usual: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
@@ -134,11 +137,12 @@ proptest! {
         let holding = relax_holding(&surface, &domain, &held, &options);
         let around = relax_around(&surface, &domain, &faces, edges, &options.shape);
         let keeping = relax_keeping(&surface, &domain, surface.mesh(), base_edge_length, &options);
+        let in_space = relax_in_space(&surface, &domain, &options.quadric);
         // Where all is right there is a result.
         let fits = matches!(fault, Fault::None);
         prop_assert!(!fits || all_faces.is_ok());
         if fits && options.check().is_ok() {
-            prop_assert!(plain.is_ok());
+            prop_assert!(plain.is_ok() && in_space.is_ok());
             prop_assert_eq!(holding.is_ok(), held.iter().all(|v| v.0 < domain.mesh.n_vertices() as u32));
             prop_assert_eq!(around.is_ok(), faces.iter().all(|f| f.0 < domain.mesh.n_faces() as u32));
             prop_assert_eq!(keeping.is_ok(), base_edge_length > 0.0 && base_edge_length.is_finite());

@@ -6,10 +6,6 @@ use glam::DVec3;
 use mesh_core::{FaceId, IdVec};
 use region_map::PatchId;
 
-/// Weight of the distance from the middle of a patch beside the difference of normals. A face at the rim of a round patch of mean
-/// area then costs as much as one whose normal is 18 degrees off: flat and cylindrical parts get fat patches, not strips.
-const COMPACTNESS: f64 = 0.3;
-
 /// What a patch strives for: a normal and a place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Proxy {
@@ -35,9 +31,9 @@ pub(crate) struct Metric {
 }
 
 impl Metric {
-    pub(crate) fn new(surface: &Measured, n_patches: usize) -> Self {
+    pub(crate) fn new(surface: &Measured, n_patches: usize, compactness: f64) -> Self {
         let mean_area = surface.total_area / n_patches.max(1) as f64;
-        Self { per_squared_distance: COMPACTNESS / mean_area.max(f64::MIN_POSITIVE) }
+        Self { per_squared_distance: compactness / mean_area.max(f64::MIN_POSITIVE) }
     }
 
     pub(crate) fn cost(&self, surface: &Measured, f: FaceId, proxy: &Proxy) -> f64 {
@@ -127,4 +123,28 @@ pub(crate) fn worst_faces(
         }
     }
     worst.iter().map(|&(_, f)| f).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use region_map::Surface;
+
+    /// Without compactness the cost is that of eq. 1: 2 between sides of a cube that meet, 4 between opposite ones, wherever the patch is.
+    #[test]
+    fn without_compactness_the_cost_is_that_of_the_normals() {
+        let surface = Surface::with_creases(fixtures::cube(2), 40.0).unwrap();
+        let surface = Measured::new(&surface);
+        let metric = Metric::new(&surface, 6, 0.0);
+        let proxy = Proxy::at(&surface, FaceId(0));
+        for (f, n) in surface.normals.enumerate() {
+            let expected = 2.0 - 2.0 * n.dot(proxy.normal);
+            assert!((metric.cost(&surface, f, &proxy) - expected).abs() < 1e-12);
+        }
+        let (far, near) = (Metric::new(&surface, 6, 0.3), surface.centroids[FaceId(0)]);
+        let squared_distance = surface.centroids[FaceId(1)].distance_squared(near);
+        // The mean area of six patches is that of a side.
+        let expected = 0.3 * squared_distance / (surface.total_area / 6.0);
+        assert!((far.cost(&surface, FaceId(1), &proxy) - metric.cost(&surface, FaceId(1), &proxy) - expected).abs() < 1e-12);
+    }
 }

@@ -42,9 +42,10 @@ proptest! {
         max_patches in prop_oneof![0..30usize, Just(usize::MAX)],
         rounds in prop_oneof![0..12usize, Just(usize::MAX)],
         base_edge_length in prop_oneof![Just(0.1), odd()],
+        compactness in prop_oneof![Just(0.0), Just(0.3), odd()],
     ) {
         let surface = Surface::with_creases(shape(which, unit), 40.0).unwrap();
-        let options = VsaOptions { max_angle, max_patches, rounds, base_edge_length };
+        let options = VsaOptions { max_angle, max_patches, rounds, base_edge_length, compactness };
         if let Ok((segmentation, _)) = segment(&surface, &options) {
             prop_assert!(Cells::trace(&surface, &segmentation).is_ok());
         }

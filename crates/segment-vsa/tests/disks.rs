@@ -128,6 +128,7 @@ fn bad_options_are_named() {
     let refused = |options: &VsaOptions| segment(&cube, options).expect_err("refused");
     assert_eq!(refused(&options(0)), VsaError::ZeroCount);
     assert_eq!(refused(&VsaOptions { max_angle: 90.0, ..options(6) }), VsaError::MaxAngle(90.0));
+    assert_eq!(refused(&VsaOptions { compactness: -1.0, ..options(6) }), VsaError::Compactness(-1.0));
     assert!(matches!(refused(&VsaOptions { base_edge_length: f64::NAN, ..options(6) }), VsaError::BaseEdgeLength(_)));
 }
 

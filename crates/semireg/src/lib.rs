@@ -30,11 +30,12 @@ mod run;
 mod verdict;
 
 pub use attempt::{Attempt, EdgeChoice, Remedy};
-pub use base::{Base, BaseCounts, BaseStages, CellCounts, Method, Patches, Way};
+pub use base::{Base, BaseCounts, BaseStages, CellCounts, Method, PaperOptions, Patches, Way};
 pub use error::Error;
 pub use fit::FitReport;
 pub use options::Options;
 pub use progress::{OnProgress, Progress};
+pub use relax::Weights;
 pub use remesh::{base, base_with, remesh, remesh_with};
 pub use remeshed::{Based, Remeshed, Stages};
 pub use report::{Report, SnapCounts};

@@ -16,7 +16,7 @@ pub struct Options {
     /// Creases that its edges don't follow are given up as minor. If its edges cannot be traced on the surface, vertices are placed by rays.
     /// Warnings say so. There is one attempt, and nothing of the base mesh is changed.
     pub base_mesh: Option<Soup>,
-    /// Which ways to a base mesh are gone. Default [`Method::Best`].
+    /// How the result is made: which ways to a base mesh are gone, or all of it as the paper prints it. Default [`Method::Best`].
     pub method: Method,
     /// How often every base face is split in four, 0 to 8. Default 2.
     pub levels: u32,

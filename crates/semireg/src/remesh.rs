@@ -1,10 +1,10 @@
 //! The verbs: one loop over the plan, which keeps the best candidate.
 
 use crate::attempt::Remedy;
-use crate::base::{BaseStages, Proposals, Setting, given};
+use crate::base::{BaseStages, Method, Proposals, Setting, given, paper};
 use crate::best::Best;
-use crate::finish::finished;
-use crate::input::{GivenBase, Input};
+use crate::finish::{finished, paper_finished};
+use crate::input::Input;
 use crate::progress::{OnProgress, Watch, watched};
 use crate::remeshed::{Based, Remeshed};
 use crate::rescue::{Budget, Loss, PLAN};
@@ -71,9 +71,9 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let budget = Budget::new(input.asked, options.levels);
     let mut tries = Tries { input, options, budget, needed: 0, best: Best::new() };
-    match &input.given {
-        // It is the only one.
-        Some(base) => drop(tries.given(base, run)),
+    let start = Instant::now();
+    match only_base(input, options, run) {
+        Some(made) => drop(tries.only(made, start, run)),
         None => drop(PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run))),
     }
     let (mut remeshed, warnings) = tries.best.end()?;
@@ -117,15 +117,14 @@ impl Tries<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Tries the base mesh that the options give.
-    fn given(&mut self, base: &GivenBase, run: &mut Run) -> ControlFlow<()> {
-        let start = Instant::now();
-        let made = given(self.input, base, self.options, run).and_then(|stages| {
+    /// Tries the only base mesh that there is.
+    fn only(&mut self, made: Result<BaseStages, Error>, start: Instant, run: &mut Run) -> ControlFlow<()> {
+        let admitted = made.and_then(|stages| {
             let mesh = stages.base.mesh();
             self.budget.admits(mesh.n_vertices(), mesh.n_faces())?;
             Ok(stages)
         });
-        match made {
+        match admitted {
             Ok(stages) => self.base(Remedy::AsAsked, &stages, start, run),
             Err(e) => self.no_base(Remedy::AsAsked, e, start, run),
         }
@@ -141,7 +140,10 @@ impl Tries<'_> {
     fn base(&mut self, remedy: Remedy, stages: &BaseStages, start: Instant, run: &mut Run) -> ControlFlow<()> {
         self.needed = self.needed.max(stages.counts.needed);
         self.budget.spend(stages.base.mesh().n_faces());
-        let result = finished(self.input, stages, self.options, run);
+        let result = match self.options.method {
+            Method::Paper(paper) => paper_finished(self.input, stages, paper, self.options, run),
+            _ => finished(self.input, stages, self.options, run),
+        };
         let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, self.options, remeshed));
         run.record(remedy, Some(stages.way), verdict.clone(), start);
         match result {
@@ -151,10 +153,19 @@ impl Tries<'_> {
     }
 }
 
+/// The base mesh beside which no other is tried: the one that the options give, or that of the paper. `None` where there is a choice.
+fn only_base(input: &Input, options: &Options, run: &mut Run) -> Option<Result<BaseStages, Error>> {
+    match (&input.given, options.method) {
+        (Some(base), _) => Some(given(input, base, options, run)),
+        (None, Method::Paper(_)) => Some(paper(input, options, run)),
+        (None, _) => None,
+    }
+}
+
 /// Tries the settings of the plan until there is a base mesh.
 fn first_base(input: &Input, options: &Options, run: &mut Run) -> Result<BaseStages, Error> {
-    if let Some(base) = &input.given {
-        return given(input, base, options, run);
+    if let Some(made) = only_base(input, options, run) {
+        return made;
     }
     let mut best = Best::new();
     for &(remedy, ref setting) in &PLAN {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mesh_core::{Soup, Topology, TriMesh};
-use semireg::{Error, Options, Remeshed, remesh};
+use semireg::{Error, Method, Options, PaperOptions, Remeshed, Way, Weights, remesh};
 
 fn options(base_vertices: usize, levels: u32) -> Options {
     Options { base_vertices: Some(base_vertices), levels, ..Options::default() }
@@ -170,4 +170,37 @@ fn a_dense_surface_has_a_proxy() {
 
 fn topology_of(remeshed: &Remeshed) -> mesh_core::Topology {
     mesh_core::Topology::new(remeshed.mesh.faces(), remeshed.mesh.n_vertices()).unwrap()
+}
+
+/// The paper's pipeline, from the patches to the second projection: as many vertices as asked, on the surface, and the relaxation as asked for.
+#[test]
+fn the_paper_s_pipeline_as_it_is_printed() {
+    for (name, mesh) in
+        [("cube", fixtures::cube(6)), ("torus", fixtures::torus(1.0, 0.4, 40, 20)), ("icosphere", fixtures::icosphere(10))]
+    {
+        for weights in [Weights::Uniform, Weights::Adaptive] {
+            let paper = PaperOptions { weights, iterations: 20, ..PaperOptions::default() };
+            let remeshed = remesh(&mesh.to_soup(), &Options { method: Method::Paper(paper), ..options(100, 2) });
+            let remeshed = remeshed.unwrap_or_else(|e| panic!("{name}: {e}"));
+            check_counts(name, &remeshed, 2);
+            let report = &remeshed.report;
+            assert!(report.certificate.passed() && report.fit.is_none() && report.way == Way::Paper, "{name}");
+            assert!(report.base.made >= 100 && report.base.made <= 103, "{name}: {:?}", report.base);
+            assert!(report.relax.quadric_iterations <= 20 && report.relax.after_quadric.ar_mean >= report.relax.start.ar_mean);
+            assert!(remeshed.stages.offsets.iter().all(|&offset| offset == 0.0), "{name}");
+        }
+    }
+}
+
+/// It stops at the target quality, and at no iterations at all where none are wanted.
+#[test]
+fn the_paper_s_relaxation_stops_at_its_target() {
+    let mesh = fixtures::icosphere(10);
+    let iterations = |paper| {
+        let remeshed = remesh(&mesh.to_soup(), &Options { method: Method::Paper(paper), ..options(60, 2) }).unwrap();
+        remeshed.report.relax.quadric_iterations
+    };
+    assert_eq!(iterations(PaperOptions { iterations: 0, ..PaperOptions::default() }), 0);
+    assert_eq!(iterations(PaperOptions { target_quality: 0.1, ..PaperOptions::default() }), 0);
+    assert_eq!(iterations(PaperOptions { iterations: 3, ..PaperOptions::default() }), 3);
 }

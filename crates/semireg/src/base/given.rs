@@ -47,7 +47,7 @@ pub(crate) fn given(input: &Input, given: &GivenBase, options: &Options, run: &m
 }
 
 /// The base mesh in a form that can be subdivided.
-fn mended(surface: &Surface, base: BaseMesh, warnings: &mut Vec<String>) -> Result<BaseMesh, Error> {
+pub(super) fn mended(surface: &Surface, base: BaseMesh, warnings: &mut Vec<String>) -> Result<BaseMesh, Error> {
     let Mended { base, straight_corners, moved } = basemesh::mend(surface, base)?;
     if straight_corners > 0 {
         let why = "with two edges on one crease they cannot be subdivided";

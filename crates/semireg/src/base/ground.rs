@@ -1,7 +1,7 @@
 //! [`Ground`]: what the base meshes of a setting are made on, and how one is made.
 
 use super::decimation::decimation;
-use super::patches::{Patches, patches};
+use super::patches::{Patches, Style, patches};
 use super::search::{Searched, retraced, searched};
 use super::setting::Setting;
 use super::stages::{Base, BaseCounts, BaseStages};
@@ -88,7 +88,7 @@ impl<'a> Ground<'a> {
             let base = decimation(self.base_surface(), &self.sizing, self.wanted, run)?;
             return self.searched(way, base, run);
         }
-        let patches = patches(self.base_surface(), &self.sizing, self.wanted, self.options.seed, run)?;
+        let patches = patches(self.base_surface(), &self.sizing, self.wanted, &Style::improved(), self.options.seed, run)?;
         let rated = self.searched(way, patches.base.clone(), run)?;
         Ok(Rated { patches: Some(Arc::new(patches)), ..rated })
     }
@@ -106,8 +106,7 @@ impl<'a> Ground<'a> {
     /// What led to a base mesh, `patches` of the other way included, and which ways led to none.
     pub(super) fn stages(&self, rated: Rated, patches: Option<Arc<Patches>>, failures: &[(Way, Error)]) -> BaseStages {
         let Rated { way, base, patches: own, faults, .. } = rated;
-        let split = own.filter(|p| p.n_split > 0);
-        let split = split.map(|p| format!("{} patches were too long or too winding to lay flat and were split", p.n_split));
+        let split = own.and_then(|p| p.split_warning());
         // Not a fault: this base mesh is small enough.
         let failed = failures.iter().filter(|(_, error)| !matches!(error, Error::TooLarge { .. }));
         let failed = failed.map(|(way, e)| format!("there is no base mesh by {}: {}", way.name(), e.with_request()));

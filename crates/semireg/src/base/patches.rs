@@ -22,7 +22,25 @@ pub struct Patches {
     /// Vertices that the corners and arcs need.
     pub(super) needed: usize,
     /// Patches that were split, as they could not be laid flat.
-    pub(super) n_split: usize,
+    n_split: usize,
+}
+
+impl Patches {
+    /// Tells of the patches that were split; `None` where none was.
+    pub(super) fn split_warning(&self) -> Option<String> {
+        let told = || format!("{} patches were too long or too winding to lay flat and were split", self.n_split);
+        (self.n_split > 0).then(told)
+    }
+}
+
+/// How patches are made and joined.
+pub(super) struct Style {
+    /// Sites for each vertex wanted.
+    pub(super) sites: f64,
+    /// Rounds of improvement; without any the triangulation of the sites stays as it is.
+    pub(super) rounds: usize,
+    /// Weight of the distance beside the normals.
+    pub(super) compactness: f64,
 }
 
 /// The first base mesh has so many sites for each vertex wanted: it is coarsened in its map.
@@ -32,12 +50,28 @@ const SITES_A_PATCH: usize = 16;
 /// So often patches are split for their distortion; later only those that have no chart at all.
 const SPLITTING_ROUNDS: usize = 4;
 
+impl Style {
+    /// More sites than vertices, and a base mesh that is improved from there.
+    pub(super) fn improved() -> Self {
+        let (base, vsa) = (BaseOptions::default(), VsaOptions::default());
+        Self { sites: SITES, rounds: base.rounds, compactness: vsa.compactness }
+    }
+}
+
 /// Patches, their sites, and the base mesh of these (paper, sections 3.1 and 3.2).
-pub(super) fn patches(surface: &Surface, sizing: &Sizing, wanted: usize, seed: u64, run: &mut Run) -> Result<Patches, Error> {
+pub(super) fn patches(
+    surface: &Surface,
+    sizing: &Sizing,
+    wanted: usize,
+    style: &Style,
+    seed: u64,
+    run: &mut Run,
+) -> Result<Patches, Error> {
+    let Style { sites, rounds: improvement, compactness } = *style;
     let mesh = surface.mesh();
-    let n_sites = (wanted as f64 * SITES).round() as usize;
+    let n_sites = (wanted as f64 * sites).round() as usize;
     let base_edge_length = equilateral_edge_length(mesh.total_area(), wanted);
-    let vsa = VsaOptions { max_patches: (n_sites / SITES_A_PATCH).max(6), base_edge_length, ..Default::default() };
+    let vsa = VsaOptions { max_patches: (n_sites / SITES_A_PATCH).max(6), base_edge_length, compactness, ..Default::default() };
     let (mut segmentation, _) = run.stage("segment", || segment_vsa::segment(surface, &vsa))?;
     let (mut n_split, mut rounds) = (0, 0);
     loop {
@@ -45,7 +79,7 @@ pub(super) fn patches(surface: &Surface, sizing: &Sizing, wanted: usize, seed: u
         let cvt = CvtOptions { base_vertices: n_sites, seed, ..Default::default() };
         let sampled = run.stage("sample", || segment_cvt::sample(surface, &cells, &Sizing::uniform(mesh), &cvt))?;
         let max_shrunk = if rounds < SPLITTING_ROUNDS { BaseOptions::default().max_shrunk } else { 1.0 };
-        let base_options = BaseOptions { base_vertices: wanted, max_shrunk, ..Default::default() };
+        let base_options = BaseOptions { base_vertices: wanted, rounds: improvement, max_shrunk };
         rounds += 1;
         match run.stage("base", || basemesh::build(surface, &cells, &sampled.sites, sizing, &base_options)) {
             Ok(base) => {

@@ -2,8 +2,10 @@
 
 mod fitting;
 mod levels;
+mod paper;
 mod place;
 mod snapping;
 mod whole;
 
+pub(crate) use paper::paper_finished;
 pub(crate) use whole::finished;

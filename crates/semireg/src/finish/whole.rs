@@ -4,12 +4,15 @@ use super::fitting::{Certified, certified};
 use super::place::{Placed, placed};
 use super::snapping::snapped;
 use crate::base::{Base, BaseStages, Way};
+use crate::candidate::Candidate;
 use crate::input::Input;
 use crate::remeshed::{Remeshed, Stages};
 use crate::report::Report;
 use crate::rescue::{NextStage, followed, mended};
 use crate::run::{Run, StageSeconds};
 use crate::{Error, Options};
+use mesh_core::TriMesh;
+use project::ProjectReport;
 
 /// Makes the finest level of a base mesh. Nothing is returned that the certificate refuses.
 pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
@@ -26,7 +29,27 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
     NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
-    let Certified { domain, offsets, fit, certificate } = certified.map_err(|e| on_its_base(e, stages))?;
+    let certified = certified.map_err(|e| on_its_base(e, stages))?;
+    Ok(assembled(input, stages, Starts { subdivided, projected, project }, candidate, certified, warnings))
+}
+
+/// The finest level before its relaxation.
+pub(super) struct Starts {
+    pub(super) subdivided: TriMesh,
+    pub(super) projected: TriMesh,
+    pub(super) project: ProjectReport,
+}
+
+/// A certified candidate with all that led to it.
+pub(super) fn assembled(
+    input: &Input,
+    stages: &BaseStages,
+    starts: Starts,
+    candidate: Candidate,
+    certified: Certified,
+    warnings: Vec<String>,
+) -> Remeshed {
+    let Certified { domain, offsets, fit, certificate } = certified;
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -35,7 +58,7 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
         crease_lengths: stages.crease_lengths(),
         attempts: Vec::new(),
         warnings,
-        project,
+        project: starts.project,
         relax: candidate.relaxed.report,
         snapped: candidate.snapped,
         fit,
@@ -43,12 +66,13 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
         seconds: StageSeconds::default(),
     };
     let base = BaseStages { base: candidate.base, counts: candidate.counts, ..stages.clone() };
+    let Starts { subdivided, projected, .. } = starts;
     let stages = Stages { base, subdivided, projected, surface: candidate.surface, region: domain.region, offsets };
-    Ok(Remeshed { mesh: domain.mesh, report, stages })
+    Remeshed { mesh: domain.mesh, report, stages }
 }
 
 /// The error of a result; on a base mesh that was given it asks for another one.
-fn on_its_base(error: Error, stages: &BaseStages) -> Error {
+pub(super) fn on_its_base(error: Error, stages: &BaseStages) -> Error {
     match (error, stages.way) {
         (Error::NotCertified(failure), Way::Given) => {
             let untraced = match &*stages.base {
