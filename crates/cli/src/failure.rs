@@ -1,10 +1,9 @@
 //! Why a command failed: one line for people, an object for programs.
 
-use crate::print;
 use semireg::Error;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
-use std::io::{self, Write as _};
+use std::io;
 
 /// What a program may want to tell apart. The names are a part of the contract of `--json`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -89,14 +88,6 @@ impl Failure {
             joined.hint = with_flags(&joined.hint);
         }
         joined
-    }
-
-    /// Prints what went wrong. That nobody listens is no error: the exit code still tells.
-    pub(crate) fn tell(&self, json: bool) {
-        if json && !self.told {
-            print::json(self).ok();
-        }
-        writeln!(io::stderr(), "error: {self}").ok();
     }
 
     /// The exit code of the program.

@@ -40,7 +40,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(e) => {
             let failure = Failure::of(e);
-            failure.tell(json);
+            print::failure(&failure, json);
             ExitCode::from(failure.exit_code())
         }
     }

@@ -35,6 +35,14 @@ pub(crate) fn report(
     }
 }
 
+/// Prints what went wrong. That nobody listens is no error: the exit code still tells.
+pub(crate) fn failure(failure: &Failure, as_json: bool) {
+    if as_json && !failure.told {
+        json(failure).ok();
+    }
+    writeln!(io::stderr(), "error: {failure}").ok();
+}
+
 /// The failure after a report that is worth showing all the same. In JSON both are one object.
 pub(crate) fn failed(
     talk: Talk,

@@ -2,6 +2,7 @@
 
 use crate::args::Talk;
 use crate::failure::Failure;
+use crate::print;
 use indicatif::{ProgressBar, ProgressStyle};
 use semireg::Progress;
 use std::io::{self, IsTerminal as _, Write as _};
@@ -59,7 +60,7 @@ impl Meter<'static> {
                 // The run ends between its steps. A long step is not waited for: nothing was written yet.
                 thread::sleep(GRACE);
                 let failure = Failure::cancelled();
-                failure.tell(talk.json);
+                print::failure(&failure, talk.json);
                 process::exit(i32::from(failure.exit_code()));
             }
         };

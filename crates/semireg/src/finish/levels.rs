@@ -10,7 +10,7 @@ use region_map::Surface;
 use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
 
 /// Newton steps on a level whose start was relaxed already, on the level before or on a proxy. More takes longer and hardly changes anything.
-const STEPS_AGAIN: usize = 20;
+const STEPS_AGAIN: usize = 12;
 
 /// The first level that is relaxed has so many faces at least, if the finest one has. Less takes less time, and loses limbs that a coarse level does
 /// not show. Measured from level 1 on: camelhead's greatest error 8.9e-3 to 16.7e-3 (1,424 faces there).
