@@ -76,13 +76,8 @@ fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, optio
     let on_paths = snapped.tracks.iter().flat_map(|track| track.path.iter().copied());
     let vertices = snapped.bends.iter().map(|bend| bend.vertex).chain(on_paths);
     let faces: Vec<FaceId> = vertices.flat_map(|v| snapped.domain.topology.fan(v).map(HalfedgeId::face)).collect();
-    let relaxed = relax::relax_around(
-        &snapped.surface,
-        &snapped.domain,
-        &faces,
-        std::env::var("SR_R").ok().and_then(|s| s.parse().ok()).unwrap_or(REACH),
-        options,
-    )?;
+    let reach = if snapped.domain.mesh.n_faces() < SMALL { usize::MAX } else { REACH };
+    let relaxed = relax::relax_around(&snapped.surface, &snapped.domain, &faces, reach, options)?;
     let report = together(before.relaxed.report, relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {
