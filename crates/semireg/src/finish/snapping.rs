@@ -8,7 +8,7 @@ use crate::report::SnapCounts;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
 use mesh_core::{FaceId, HalfedgeId};
-use relax::{Relaxed, ShapeOptions};
+use relax::{QuadricOptions, RelaxOptions, Relaxed, ShapeOptions};
 use snap::{LetGo, SnapOptions, Snapped};
 use std::time::Instant;
 
@@ -19,7 +19,7 @@ const UNTANGLING_STEPS: usize = 8;
 /// Vertices up to so many edges away from what was snapped make way. More gives better triangles there, and takes longer.
 const REACH: usize = 6;
 /// With fewer triangles all vertices make way: that takes little time, and the shape of the whole still gains (spot, 12,500 triangles: mean AR
-/// .944 to .952).
+/// .944 to .950).
 const SMALL: usize = 20_000;
 /// So often the domain is snapped, each time without what came out poor before. A few poor triangles of the last time are borne: they are
 /// not worth all creases.
@@ -42,7 +42,10 @@ pub(super) fn snapped(input: &Reference, before: Candidate, options: &ShapeOptio
 
 /// The round of snapping with the fewest triangles that the certificate would refuse; `None` where there is nothing to snap to.
 fn rounds(input: &Reference, before: &Candidate, options: &ShapeOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
-    let few_steps = ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.clone() };
+    let few_steps = RelaxOptions {
+        quadric: QuadricOptions { iterations: 0, ..QuadricOptions::default() },
+        shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.clone() },
+    };
     let snap_options = SnapOptions::default();
     let start = &before.relaxed.domain;
     let (mut let_go, mut best) = (LetGo::default(), None);
@@ -71,13 +74,13 @@ fn rounds(input: &Reference, before: &Candidate, options: &ShapeOptions, run: &m
     Ok(best)
 }
 
-/// A snapped domain, relaxed around what was snapped, and judged.
-fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &ShapeOptions) -> Result<Candidate, Error> {
-    let on_paths = snapped.tracks.iter().flat_map(|track| track.path.iter().copied());
-    let vertices = snapped.bends.iter().map(|bend| bend.vertex).chain(on_paths);
-    let faces: Vec<FaceId> = vertices.flat_map(|v| snapped.domain.topology.fan(v).map(HalfedgeId::face)).collect();
-    let reach = if snapped.domain.mesh.n_faces() < SMALL { usize::MAX } else { REACH };
-    let relaxed = relax::relax_around(&snapped.surface, &snapped.domain, &faces, reach, options)?;
+/// A snapped domain, relaxed and judged.
+fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &RelaxOptions) -> Result<Candidate, Error> {
+    let is_small = snapped.domain.mesh.n_faces() < SMALL;
+    let relaxed = match is_small {
+        true => relax::relax(&snapped.surface, &snapped.domain, options),
+        false => relax::relax_around(&snapped.surface, &snapped.domain, &faces_at(snapped), REACH, &options.shape),
+    }?;
     let report = together(before.relaxed.report, relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {
@@ -87,4 +90,11 @@ fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, optio
         snapped: SnapCounts { bends: snapped.bends.len(), minor_creases: snapped.tracks.len() },
         ..before.clone()
     })
+}
+
+/// The triangles at the vertices that were snapped.
+fn faces_at(snapped: &Snapped) -> Vec<FaceId> {
+    let on_paths = snapped.tracks.iter().flat_map(|track| track.path.iter().copied());
+    let vertices = snapped.bends.iter().map(|bend| bend.vertex).chain(on_paths);
+    vertices.flat_map(|v| snapped.domain.topology.fan(v).map(HalfedgeId::face)).collect()
 }
