@@ -6,7 +6,7 @@ use crate::markdown::{put, reason, table};
 use crate::remesher::{LIMIT, Outcome, Remesher, Request};
 use crate::root;
 use anyhow::{Result, bail};
-use printed::{BASES, MODELS, Measure, Model, OURS, Printed, RESULTS};
+use printed::{BASES, CAUSE_OF_SHAPE, MODELS, Measure, Model, OURS, Printed, RESULTS};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -137,9 +137,14 @@ impl Measure {
         report[key].as_f64()
     }
 
+    /// Whether it tells of the shape of triangles, not of distances.
+    fn is_of_shape(self) -> bool {
+        matches!(self, Self::Ar | Self::Agl)
+    }
+
     /// Whether a value falls short of a printed one, both as they are shown.
     fn falls_short(self, value: f64, printed: f64) -> bool {
-        let shown = |x: f64| if matches!(self, Self::Ar | Self::Agl) { (x * 1e3).round() } else { (x * 1e7).round() };
+        let shown = |x: f64| if self.is_of_shape() { (x * 1e3).round() } else { (x * 1e7).round() };
         if self == Self::Ar { shown(value) < shown(printed) } else { shown(value) > shown(printed) }
     }
 }
@@ -223,7 +228,7 @@ fn results(printed: &Printed, all: &[Runs], short: &mut Vec<(String, &'static st
             for (j, measure) in printed.measures.iter().enumerate().filter(|_| is_paper) {
                 if let Some(x) = found[j].filter(|&x| measure.falls_short(x, values[j])) {
                     let row = format!("{name}, {mode}: {} {} for {}", measure.title(), measure.text(x), measure.text(values[j]));
-                    short.push((row, runs.model.cause));
+                    short.push((row, if measure.is_of_shape() { CAUSE_OF_SHAPE } else { runs.model.cause }));
                 }
             }
         }
