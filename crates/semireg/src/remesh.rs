@@ -26,7 +26,7 @@ pub fn remesh(soup: &Soup, options: &Options) -> Result<Remeshed, Error> {
 /// The same, with a caller that follows the run and can end it.
 ///
 /// `on_progress` is called on a thread of its own, at the start of each stage and about 20 times a second. When it breaks, the run ends
-/// with [`Error::Cancelled`] as soon as its present step is done. Hardly a step takes a quarter of a second; on a million triangles some take longer.
+/// with [`Error::Cancelled`] as soon as its present step is done: that is a fraction of a second, on a million triangles a second or two.
 ///
 /// ```
 /// use semireg::{Error, Options, remesh_with};
