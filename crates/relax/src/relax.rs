@@ -43,6 +43,14 @@ pub struct RelaxReport {
     pub shape_steps: usize,
 }
 
+impl RelaxReport {
+    /// The report of this relaxation and of one that went on from it.
+    pub fn then(self, after: Self) -> Self {
+        let quadric_iterations = self.quadric_iterations + after.quadric_iterations;
+        Self { quadric_iterations, shape_steps: self.shape_steps + after.shape_steps, end: after.end, ..self }
+    }
+}
+
 /// Moves the vertices of a domain over the surface until its triangles are as near to equilateral as its connectivity and the
 /// arcs allow.
 ///

@@ -7,7 +7,7 @@ use crate::{Error, Options};
 use mesh_core::TriMesh;
 use project::{Origins, Projected};
 use region_map::Surface;
-use relax::{QuadricOptions, RelaxOptions, RelaxReport, Relaxed, ShapeOptions};
+use relax::{QuadricOptions, RelaxOptions, Relaxed, ShapeOptions};
 
 /// Newton steps on a level whose start was relaxed already, on the level before or on a proxy. More takes longer and hardly changes anything.
 const STEPS_AGAIN: usize = 12;
@@ -60,9 +60,4 @@ pub(super) fn relaxed_levels(
         projected = run.stage("project", || project::project_refined(surface, &relaxed.domain, &finer.domain))?;
         (relax_options, level) = (again(&options.relax), level + 1);
     }
-}
-
-/// The reports of a relaxation and of one that went on from it.
-pub(super) fn together(before: RelaxReport, after: RelaxReport) -> RelaxReport {
-    RelaxReport { shape_steps: before.shape_steps + after.shape_steps, end: after.end, ..before }
 }

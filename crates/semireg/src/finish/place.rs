@@ -1,6 +1,6 @@
 //! The finest level of a base mesh, placed on the surface and relaxed there.
 
-use super::levels::{Finest, again, relaxed_levels, together};
+use super::levels::{Finest, again, relaxed_levels};
 use crate::base::BaseStages;
 use crate::candidate::Candidate;
 use crate::input::Input;
@@ -37,7 +37,7 @@ pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run:
     if let Some(proxy) = proxy {
         let there = run.stage("project", || proxy.carried(&relaxed.domain, surface))?;
         let on_surface = run.stage("relax", || relax::relax(surface, &there, &again(&options.relax)))?;
-        relaxed = Relaxed { report: together(relaxed.report, on_surface.report), ..on_surface };
+        relaxed = Relaxed { report: relaxed.report.then(on_surface.report), ..on_surface };
     }
     NextStage::Mend.is_worth(relaxed.inverted.len(), n_triangles)?;
     let faults = faulty_faces(&input.reference, &relaxed.domain.mesh);

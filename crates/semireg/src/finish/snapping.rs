@@ -1,6 +1,5 @@
 //! The relaxed domain hung on bends and minor creases, as far as its triangles bear it.
 
-use super::levels::together;
 use crate::Error;
 use crate::attempt::Remedy;
 use crate::candidate::Candidate;
@@ -81,7 +80,7 @@ fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, optio
         true => relax::relax(&snapped.surface, &snapped.domain, options),
         false => relax::relax_around(&snapped.surface, &snapped.domain, &faces_at(snapped), REACH, &options.shape),
     }?;
-    let report = together(before.relaxed.report, relaxed.report);
+    let report = before.relaxed.report.then(relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {
         surface: snapped.surface.clone(),
