@@ -51,6 +51,11 @@ pub(crate) fn table<C: AsRef<str>>(columns: &[C], rows: &[Vec<String>]) -> Strin
 pub(crate) const FIGURES: [&str; 8] =
     ["AR mean", "AR p01", "Agl", "area CV", "error mean", "error max", "crease cover", "flipped"];
 
+/// A mean error, a share of the diagonal, as tables have it.
+pub(crate) fn error(share: f64) -> String {
+    format!("{:.2}e-5", 1e5 * share)
+}
+
 /// Cells of the figures of a report; `-` for one that it does not have.
 pub(crate) fn figures(report: &Value) -> Vec<String> {
     let real = |key: &str, text: &dyn Fn(f64) -> String| report[key].as_f64().map_or("-".to_owned(), text);
@@ -59,7 +64,7 @@ pub(crate) fn figures(report: &Value) -> Vec<String> {
         real("ar_p01", &|x| format!("{x:.3}")),
         real("agl", &|x| format!("{x:.2}")),
         real("area_cv", &|x| format!("{x:.2}")),
-        real("err_mean", &|x| format!("{:.2}e-5", 1e5 * x)),
+        real("err_mean", &error),
         real("err_max", &|x| format!("{:.2}e-3", 1e3 * x)),
         real("crease_cover", &|x| format!("{x:.3}")),
         real("flipped", &|x| format!("{x}")),

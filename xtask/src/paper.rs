@@ -2,7 +2,7 @@
 
 mod printed;
 
-use crate::markdown::{put, reason, table};
+use crate::markdown::{error, put, reason, table};
 use crate::remesher::{LIMIT, Outcome, Remesher, Request};
 use crate::root;
 use anyhow::{Result, bail};
@@ -122,7 +122,7 @@ impl Measure {
         match self {
             Self::Ar => format!("{value:.3}"),
             Self::Agl => format!("{value:.2}"),
-            Self::Mean | Self::Rms => format!("{:.2}e-5", 1e5 * value),
+            Self::Mean | Self::Rms => error(value),
         }
     }
 

@@ -85,14 +85,16 @@ impl Estimate {
 
 /// Whether the faces that come cost so much more than those that are there that no estimate is needed.
 fn is_hopeless_at_start(base: &EditableBase, change: &Change, options: &ShapeOptions) -> bool {
-    let (old, new) = (base.cost(&change.old), change.cost_at_start(base, options));
+    let old = || base.cost(&change.old);
+    let new = || change.cost_at_start(base, options);
     match change.edit {
+        // What is known already is asked first.
         BaseEdit::Flip(_) => {
             let at_corners: f64 = change.corners.iter().map(|&v| base.cost(&base.stars[v])).sum();
-            new > FLIP_AT_START && at_corners < CALM && makes_irregular(base, &change.corners)
+            at_corners < CALM && makes_irregular(base, &change.corners) && new() > FLIP_AT_START
         }
-        BaseEdit::Split(_) => new + SOUND > SPLIT_AT_START * (old + SOUND),
-        BaseEdit::Remove { .. } => new > old + REMOVAL_AT_START,
+        BaseEdit::Split(_) => new() + SOUND > SPLIT_AT_START * (old() + SOUND),
+        BaseEdit::Remove { .. } => new() > old() + REMOVAL_AT_START,
     }
 }
 

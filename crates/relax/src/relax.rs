@@ -79,8 +79,12 @@ pub fn relax_holding(
     let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
     let start = Quality::of(&placed, &movable);
 
-    let weights = vertex_weights(surface, domain, options.quadric.weights);
-    let (relaxed, quadric_iterations) = relax_quadric(&movable, placed, &weights, &options.quadric);
+    let (relaxed, quadric_iterations) = if options.quadric.iterations == 0 {
+        (placed, 0)
+    } else {
+        let weights = vertex_weights(surface, domain, options.quadric.weights);
+        relax_quadric(&movable, placed, &weights, &options.quadric)
+    };
     let after_quadric = Quality::of(&relaxed, &movable);
     let targets = sheet_targets(&movable, &domain.region.sheet_of_face, relaxed.placement());
     let best = best_shape(&Mender::new(&movable), &targets, relaxed, SLACK, &options.shape);

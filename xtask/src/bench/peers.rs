@@ -1,8 +1,8 @@
 //! Other people's remeshers on the same inputs, to the same number of triangles.
 
-use super::program::{Job, Program, Run, error, quality, ratio, seconds};
+use super::program::{Job, Program, Run, quality, ratio, seconds};
 use crate::cost::{Cost, measured};
-use crate::markdown::table;
+use crate::markdown::{error, table};
 use crate::process::target_directory;
 use crate::python::environment;
 use crate::root;

@@ -1,7 +1,7 @@
 //! One run of the remesher, and what it took.
 
 use crate::cost::{Cost, measured};
-use crate::markdown::reason;
+use crate::markdown::{error, reason};
 use crate::process::within;
 use anyhow::{Context, Result};
 use serde_json::Value;
@@ -113,10 +113,6 @@ impl Run {
 
 pub(super) fn quality(ar: f64) -> String {
     format!("{ar:.3}")
-}
-
-pub(super) fn error(share: f64) -> String {
-    format!("{:.2}e-5", 1e5 * share)
 }
 
 pub(super) fn seconds(seconds: f64) -> String {

@@ -2,7 +2,7 @@
 
 use super::fitting::certified;
 use super::whole::{Starts, assembled, on_its_base};
-use crate::base::{BaseStages, PaperOptions, Way};
+use crate::base::{BaseStages, PaperOptions};
 use crate::candidate::Candidate;
 use crate::input::Input;
 use crate::remeshed::Remeshed;
@@ -29,11 +29,7 @@ pub(crate) fn paper_finished(
     let subdivided = run.stage("subdivide", || subdiv::subdivide(stages.base.domain(), options.levels))?;
     let finest = Finest { input, stages, subdivided: &subdivided, paper, options };
     let (projected, candidate) = finest.as_printed(run)?;
-    let candidate = match stages.way {
-        // A base mesh from elsewhere stays as it is.
-        Way::Given => candidate,
-        _ => mended(&input.reference, candidate, options, run)?,
-    };
+    let candidate = mended(&input.reference, candidate, options, run)?;
     let mut warnings = stages.warnings.clone();
     NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
     let without_fit = Options { fit: None, ..options.clone() };

@@ -1,5 +1,6 @@
 //! The relaxed domain hung on bends and minor creases, as far as its triangles bear it.
 
+use super::levels::again;
 use crate::Error;
 use crate::attempt::Remedy;
 use crate::candidate::Candidate;
@@ -7,7 +8,7 @@ use crate::report::SnapCounts;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
 use mesh_core::{FaceId, HalfedgeId};
-use relax::{QuadricOptions, RelaxOptions, Relaxed, ShapeOptions};
+use relax::{RelaxOptions, Relaxed};
 use snap::{LetGo, SnapOptions, Snapped};
 use std::time::Instant;
 
@@ -29,7 +30,7 @@ const MOST_ROUNDS: usize = 8;
 
 /// Snaps a candidate to bends and minor creases and relaxes it again. It comes back as it was where there are none, where the certificate
 /// would refuse more triangles than before, or where snapping fails; of the last two it tells.
-pub(super) fn snapped(input: &Reference, before: Candidate, options: &ShapeOptions, run: &mut Run) -> Candidate {
+pub(super) fn snapped(input: &Reference, before: Candidate, options: &RelaxOptions, run: &mut Run) -> Candidate {
     let unsnapped = match rounds(input, &before, options, run) {
         Ok(Some(snapped)) if snapped.n_faults() <= before.n_faults() => return snapped,
         Ok(None) => return before,
@@ -40,11 +41,9 @@ pub(super) fn snapped(input: &Reference, before: Candidate, options: &ShapeOptio
 }
 
 /// The round of snapping with the fewest triangles that the certificate would refuse; `None` where there is nothing to snap to.
-fn rounds(input: &Reference, before: &Candidate, options: &ShapeOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
-    let few_steps = RelaxOptions {
-        quadric: QuadricOptions { iterations: 0, ..QuadricOptions::default() },
-        shape: ShapeOptions { steps: STEPS, untangling_steps: UNTANGLING_STEPS, ..options.clone() },
-    };
+fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &mut Run) -> Result<Option<Candidate>, Error> {
+    let mut few_steps = again(options);
+    (few_steps.shape.steps, few_steps.shape.untangling_steps) = (STEPS, UNTANGLING_STEPS);
     let snap_options = SnapOptions::default();
     let start = &before.relaxed.domain;
     let (mut let_go, mut best) = (LetGo::default(), None);
@@ -75,11 +74,11 @@ fn rounds(input: &Reference, before: &Candidate, options: &ShapeOptions, run: &m
 
 /// A snapped domain, relaxed and judged.
 fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, options: &RelaxOptions) -> Result<Candidate, Error> {
-    let is_small = snapped.domain.mesh.n_faces() < SMALL;
-    let relaxed = match is_small {
-        true => relax::relax(&snapped.surface, &snapped.domain, options),
-        false => relax::relax_around(&snapped.surface, &snapped.domain, &faces_at(snapped), REACH, &options.shape),
-    }?;
+    let relaxed = if snapped.domain.mesh.n_faces() < SMALL {
+        relax::relax(&snapped.surface, &snapped.domain, options)?
+    } else {
+        relax::relax_around(&snapped.surface, &snapped.domain, &faces_at(snapped), REACH, &options.shape)?
+    };
     let report = before.relaxed.report.then(relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {

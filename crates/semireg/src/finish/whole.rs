@@ -17,13 +17,9 @@ use project::ProjectReport;
 /// Makes the finest level of a base mesh. Nothing is returned that the certificate refuses.
 pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let Placed { subdivided, projected, project, candidate } = placed(input, stages, options, run)?;
-    let candidate = match stages.way {
-        // A base mesh from elsewhere stays as it is.
-        Way::Given => candidate,
-        _ => mended(&input.reference, candidate, options, run)?,
-    };
+    let candidate = mended(&input.reference, candidate, options, run)?;
     NextStage::Snap.is_worth(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
-    let snap = |candidate, run: &mut Run| snapped(&input.reference, candidate, &options.relax.shape, run);
+    let snap = |candidate, run: &mut Run| snapped(&input.reference, candidate, &options.relax, run);
     let candidate = followed(&input.reference, candidate, options, run, snap)?;
     let mut warnings = stages.warnings.clone();
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));

@@ -29,10 +29,10 @@ pub(crate) fn followed(
     run: &mut Run,
     mut finish: impl FnMut(Candidate, &mut Run) -> Candidate,
 ) -> Result<Candidate, Error> {
-    let mut best = finish(start.clone(), run);
     if options.base_vertices.is_some() || options.base_mesh.is_some() {
-        return Ok(best);
+        return Ok(finish(start, run));
     }
+    let mut best = finish(start.clone(), run);
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input somewhere");
     let (n_faults, mut now) = (best.n_faults(), start);
     let mut last = missed(input, &best.relaxed.domain.mesh);

@@ -27,13 +27,13 @@ const MOST_FAULTY: f64 = 2e-3;
 const MOST_GROWTH: f64 = 0.03;
 
 /// Mends the places of a candidate that the certificate would refuse. Vertices far from them stay where they are. The candidate comes back as
-/// it was where there are none, or so many that the base mesh is wrong.
+/// it was where there are none, or so many that the base mesh is wrong; and on a base mesh from elsewhere, which stays as it is.
 ///
 /// First the triangles around are relaxed by themselves: among hundreds of thousands a few have little say. Then the base faces under them
 /// are bisected. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so the relaxed places are the
 /// start of the next try.
 pub(crate) fn mended(input: &Reference, start: Candidate, options: &Options, run: &mut Run) -> Result<Candidate, Error> {
-    if start.n_faults() as f64 > MOST_FAULTY * start.n_triangles() as f64 {
+    if options.base_mesh.is_some() || start.n_faults() as f64 > MOST_FAULTY * start.n_triangles() as f64 {
         return Ok(start);
     }
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "a few triangles stay folded");
