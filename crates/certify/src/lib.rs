@@ -37,6 +37,8 @@ mod missed;
 mod quality;
 mod reference;
 mod sampling;
+mod sharp;
+mod shortcoming;
 #[cfg(test)]
 mod test_shapes;
 mod topology;
@@ -56,5 +58,7 @@ pub use measures::{MeasureOptions, Measures, measure};
 pub use missed::{Missed, missed};
 pub use quality::{DEGENERATE_ASPECT_RATIO, Quality, quality};
 pub use reference::Reference;
+pub use sharp::{SharpCover, SharpEdges, mean_edge};
+pub use shortcoming::{ACCEPTED_LEAST_SHAPE, ACCEPTED_MEAN_SHAPE, ACCEPTED_SHARP_COVER, Shortcoming, accepted_distance};
 pub use topology::{Topologies, TopologyCounts};
 pub use weld::weld;

@@ -5,7 +5,7 @@ use crate::failure::{Failure, Kind};
 use crate::figures::Figures;
 use crate::load;
 use crate::print::{self, Table};
-use certify::{MeasureOptions, Reference};
+use certify::{MeasureOptions, Reference, SharpEdges};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -27,11 +27,13 @@ pub(crate) fn run(args: &CompareArgs) -> anyhow::Result<()> {
         let message = format!("cannot compare {} with {}: {e}; give files with a surface", args.a.display(), args.b.display());
         Failure::new(Kind::Empty, message)
     })?;
+    let edge = certify::mean_edge(&remeshed);
+    let sharp = SharpEdges::new(&original, edge).cover(&remeshed);
     let comparison = Comparison {
         a: args.a.display().to_string(),
         b: args.b.display().to_string(),
         left_out: [a.left_out, b.left_out],
-        figures: Figures::new(&measures, |t| t.welded).with_sharp_edges(&original, &remeshed),
+        figures: Figures::new(&measures, |t| t.welded).with_sharp_edges(sharp, edge / original.diagonal()),
     };
     let summary = |figures: &Figures, table: &mut Table| {
         figures.summary(table);

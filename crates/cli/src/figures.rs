@@ -1,10 +1,8 @@
 //! The measures of `certify` under the names that the JSON has, and as lines for people.
 
 use crate::print::Table;
-use crate::sharp::{self, Kept};
 use crate::verdict::Verdict;
-use certify::{Measures, Quality, Stats, TopologyCounts};
-use mesh_core::TriMesh;
+use certify::{Measures, Quality, SharpCover, Stats, TopologyCounts};
 use serde::Serialize;
 
 /// Mean, root mean square and greatest of a distance, in parts of the original's diagonal.
@@ -166,7 +164,7 @@ pub(crate) struct Figures {
     topology: Counts,
     topology_original: Counts,
     #[serde(skip)]
-    sharp: Option<Kept>,
+    sharp: Option<SharpCover>,
     /// Mean length of an edge over the original's diagonal.
     #[serde(skip)]
     edge: f64,
@@ -200,11 +198,9 @@ impl Figures {
         }
     }
 
-    /// With what is kept of the sharp edges that a person sees, of two meshes that are connected by index.
-    pub(crate) fn with_sharp_edges(self, original: &TriMesh, remeshed: &TriMesh) -> Self {
-        let edge = sharp::mean_edge(remeshed) / original.diagonal();
-        let sharp = sharp::kept(original, remeshed);
-        Self { sharp_cover: sharp.map(|kept| kept.share), sharp, edge, ..self }
+    /// With what is kept of the sharp edges that a person sees, on a mesh with edges of this mean length in diagonals of the original.
+    pub(crate) fn with_sharp_edges(self, sharp: Option<SharpCover>, edge: f64) -> Self {
+        Self { sharp_cover: sharp.map(|cover| cover.share), sharp, edge, ..self }
     }
 
     /// Appends the lines that matter, each with a verdict.
@@ -214,7 +210,7 @@ impl Figures {
         let verdict = Verdict::of_distance(self.err_max, self.edge);
         let [mean, greatest] = [self.err_mean, self.err_max].map(percent);
         table.row("distance", format!("{verdict}: {mean} of the diagonal in the mean, {greatest} at most"));
-        let words = |kept: Kept| {
+        let words = |kept: SharpCover| {
             let few = if kept.are_few() { "there are few; " } else { "" };
             format!("{}: {few}{:.1} % of their length kept", Verdict::of_sharp_edges(kept), 100.0 * kept.share)
         };

@@ -4,8 +4,8 @@ use crate::args::InspectArgs;
 use crate::figures::{Shape, surface_words};
 use crate::print::{self, Table};
 use crate::repairs::Repairs;
-use crate::sharp;
 use crate::verdict::Verdict;
+use certify::SharpEdges;
 use features::FeatureOptions;
 use mesh_core::{CleanOptions, Cleaned, Inspection};
 use mesh_io::Document;
@@ -131,7 +131,7 @@ fn features(cleaned: &Cleaned) -> anyhow::Result<Features> {
     Ok(Features {
         crease_length: kept + minor,
         border_length: network.arcs.iter().filter(|arc| arc.kind == ArcKind::Border).map(|arc| arc.length()).sum(),
-        sharp_length: sharp::length(&cleaned.mesh),
+        sharp_length: SharpEdges::new(&cleaned.mesh, certify::mean_edge(&cleaned.mesh)).length(),
         arcs: network.arcs.len(),
         corners: network.corners.len(),
     })

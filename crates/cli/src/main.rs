@@ -19,7 +19,6 @@ mod remesh;
 mod repairs;
 mod report;
 mod seconds;
-mod sharp;
 mod stages;
 mod verdict;
 

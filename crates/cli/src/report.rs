@@ -6,7 +6,7 @@ use crate::print::Table;
 use crate::repairs::Repairs;
 use crate::seconds::Seconds;
 use region_map::CreaseLengths;
-use semireg::{Attempt, BaseCounts, CellCounts, FitReport, Remeshed};
+use semireg::{Attempt, BaseCounts, CellCounts, FitReport, Remeshed, Verdict};
 use serde::Serialize;
 
 /// Everything worth telling. Field names are the contract of `--json`.
@@ -17,6 +17,9 @@ pub(crate) struct Report {
     output: String,
     parameters: Parameters,
     seed: u64,
+    /// "certified", or that with what a person would not accept without a second look.
+    verdict: String,
+    shortcomings: Vec<String>,
     repairs: Repairs,
     warnings: Vec<String>,
     /// Where the base mesh comes from.
@@ -198,6 +201,8 @@ impl Report {
                 marked_edges: plan.options.marked_edges.len(),
             },
             seed: plan.options.seed,
+            verdict: Verdict::of(report.shortcomings.clone()).to_string(),
+            shortcomings: report.shortcomings.iter().map(ToString::to_string).collect(),
             repairs: Repairs::new(&report.clean),
             warnings,
             way: report.way.name(),
@@ -208,10 +213,19 @@ impl Report {
             crease_length: report.crease_lengths.into(),
             relax_iterations: report.relax.quadric_iterations,
             fit: report.fit.map(|fit| Fit::new(fit, remeshed.stages.base.cleaned.mesh.diagonal())),
-            figures: Figures::new(&certificate.measures, |t| t.indexed)
-                .with_sharp_edges(&remeshed.stages.base.cleaned.mesh, &remeshed.mesh),
+            figures: Figures::new(&certificate.measures, |t| t.indexed).with_sharp_edges(
+                report.sharp_edges,
+                certify::mean_edge(&remeshed.mesh) / remeshed.stages.base.cleaned.mesh.diagonal(),
+            ),
             seconds: Seconds::new(&report.seconds),
         }
+    }
+
+    /// Appends what was written, and first of all what it falls short in.
+    fn verdict_rows(&self, table: &mut Table, written: &str) {
+        let short = !self.shortcomings.is_empty();
+        table.row_if("certified, but", short.then(|| self.shortcomings.join("; ")));
+        table.row(if short { "written" } else { "certified" }, written);
     }
 
     /// Adds a warning that does not come from the stages.
@@ -222,7 +236,8 @@ impl Report {
     /// What matters, in at most ten lines.
     pub(crate) fn summary(&self) -> Table {
         let mut table = Table::default();
-        table.row("certified", format!("{} after {:.1} s (-v shows all figures)", self.output, self.seconds.total()));
+        let written = format!("{} after {:.1} s (-v shows all figures)", self.output, self.seconds.total());
+        self.verdict_rows(&mut table, &written);
         let split = match self.parameters.levels {
             0 => "not split".to_owned(),
             1 => "split once".to_owned(),
@@ -238,7 +253,7 @@ impl Report {
     /// The report for people in full, one line for each figure.
     pub(crate) fn table(&self) -> Table {
         let mut table = Table::default();
-        table.row("certified", &self.output);
+        self.verdict_rows(&mut table, &self.output);
         self.base_vertices.row(&mut table);
         table.row("way", self.way);
         self.attempts.iter().for_each(|attempt| attempt.row(&mut table));

@@ -1,6 +1,6 @@
 //! What figures are worth, in one word.
 
-use crate::sharp::Kept;
+use certify::{ACCEPTED_LEAST_SHAPE, ACCEPTED_MEAN_SHAPE, ACCEPTED_SHARP_COVER, SharpCover, accepted_distance};
 use std::fmt::{self, Display, Formatter};
 
 /// What a person would say of a result that has such a figure.
@@ -35,19 +35,19 @@ impl Verdict {
 
     /// Of the shape of triangles, by the mean quality and that of the worst hundredth (1 = equilateral).
     pub(crate) fn of_shape(mean: f64, worst_hundredth: f64) -> Self {
-        Self::by(mean >= 0.8 && worst_hundredth >= 0.3, mean >= 0.6 && worst_hundredth >= 0.1)
+        Self::by(mean >= ACCEPTED_MEAN_SHAPE && worst_hundredth >= ACCEPTED_LEAST_SHAPE, mean >= 0.6 && worst_hundredth >= 0.1)
     }
 
     /// Of the greatest distance between two surfaces, both in diagonals; `edge` is the mean length of an edge, which no mesh of flat
     /// triangles can be much better than where the surface bends.
     pub(crate) fn of_distance(greatest: f64, edge: f64) -> Self {
-        let good = 2.5e-3f64.max(0.25 * edge);
+        let good = accepted_distance(1.0, edge);
         Self::by(greatest <= good, greatest <= 4.0 * good)
     }
 
     /// Of what is kept of sharp edges.
-    pub(crate) fn of_sharp_edges(kept: Kept) -> Self {
-        Self::by(kept.share >= 0.98, kept.share >= 0.9 || kept.are_few())
+    pub(crate) fn of_sharp_edges(kept: SharpCover) -> Self {
+        Self::by(kept.share >= ACCEPTED_SHARP_COVER, kept.share >= 0.9 || kept.are_few())
     }
 
     /// Of triangles that cut others, in the result and in the original.
@@ -64,7 +64,7 @@ mod tests {
     fn better_figures_have_no_worse_verdict() {
         let rising = (0..=100).map(|i| f64::from(i) / 100.0);
         assert!(rising.clone().map(|x| Verdict::of_shape(x, x)).is_sorted());
-        assert!(rising.clone().map(|share| Verdict::of_sharp_edges(Kept { share, length: 5.0 })).is_sorted());
+        assert!(rising.clone().map(|share| Verdict::of_sharp_edges(SharpCover { share, length: 5.0 })).is_sorted());
         assert!(rising.map(|x| Verdict::of_distance(1.0 - x, 0.01)).is_sorted());
         assert_eq!([0, 3, 9].map(|n| Verdict::of_cuts(n, 3)), [Verdict::Good, Verdict::Fair, Verdict::Poor]);
         assert_eq!(Verdict::of_shape(0.95, 0.05), Verdict::Poor);

@@ -4,8 +4,13 @@ use crate::corner::{cone_tips, sharp_turns};
 use crate::crease::Creases;
 use crate::options::{FeatureError, FeatureOptions, check_same_mesh};
 use crate::simplify::simplify;
+use crate::touching::touching_points;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
 use region_map::{ArcKind, Network, NetworkError};
+
+/// Points where the surface touches itself are corners, unless there are more than this share of the base vertices: those of a broken scan would
+/// be the whole base mesh.
+const TOUCHING_SHARE: f64 = 0.1;
 
 /// Finds creases, borders and marked edges, simplifies them and sets the corners.
 ///
@@ -50,7 +55,7 @@ fn marked_edges(topology: &Topology, marked: &[[VertexId; 2]]) -> Result<Vec<Edg
     marked.iter().map(find).collect()
 }
 
-/// Corners beyond those of degree other than 2: sharp turns and cone tips.
+/// Corners beyond those of degree other than 2: sharp turns, cone tips, and points where the surface touches itself.
 fn corners(
     mesh: &TriMesh,
     topology: &Topology,
@@ -65,5 +70,14 @@ fn corners(
     for v in cone_tips(mesh, topology, kinds) {
         is_corner[v] = true;
     }
+    for v in touching_points(mesh, topology, most_touching(mesh, base_edge_length)) {
+        is_corner[v] = true;
+    }
     Ok(is_corner)
+}
+
+/// [`TOUCHING_SHARE`] of the vertices of a closed base mesh with equilateral triangles; all of a surface where its edges have no length.
+fn most_touching(mesh: &TriMesh, base_edge_length: f64) -> usize {
+    let triangles = mesh.total_area() / (0.25 * 3f64.sqrt() * base_edge_length * base_edge_length);
+    if base_edge_length > 0.0 { (TOUCHING_SHARE * 0.5 * triangles) as usize } else { usize::MAX }
 }

@@ -25,6 +25,7 @@ mod detect;
 mod jump;
 mod options;
 mod simplify;
+mod touching;
 
 pub use detect::detect;
 pub use options::{FeatureError, FeatureOptions};

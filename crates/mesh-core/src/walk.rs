@@ -9,6 +9,8 @@ use crate::{EdgeId, HalfedgeId, Id, SurfacePoint, Topology, TriMesh};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
+/// A point with no lesser weight than this is inside its face, beside no edge.
+const INSIDE: f64 = 1e-9;
 /// A walk that only slides at less than this share of its speed stops: cosine of the angle to the barrier.
 const LEAST_SLIDE: f64 = 1e-9;
 /// A start on an edge leaves its own face at once for one whose plane keeps this share of the way: between the two sides of an
@@ -56,7 +58,7 @@ pub fn walk(
     Walked { end: walker.point(), direction, stopped }
 }
 
-/// Where a [`walk`] ends, in less time: nothing else is worked out.
+/// Where a [`walk`] ends, to rounding, in less time: nothing else is worked out.
 pub fn walk_end(
     mesh: &TriMesh,
     topology: &Topology,
@@ -64,8 +66,8 @@ pub fn walk_end(
     displacement: DVec3,
     may_cross: impl Fn(EdgeId) -> bool,
 ) -> SurfacePoint {
-    let surface = Faces::new(mesh, topology, start, may_cross);
-    surface.map_or(start, |surface| surface.last(start, displacement).0.point())
+    let Some(surface) = Faces::new(mesh, topology, start, may_cross) else { return start };
+    surface.end_in_face(start, displacement).unwrap_or_else(|| surface.last(start, displacement).0.point())
 }
 
 /// A point in the face of `halfedge`, with weights that start at the halfedge's corner, and the way still to go, in the layout
@@ -117,6 +119,18 @@ impl<'a, F: Fn(EdgeId) -> bool> Faces<'a, F> {
     fn new(mesh: &'a TriMesh, topology: &'a Topology, start: SurfacePoint, may_cross: F) -> Option<Self> {
         let fits = start.face.index() < topology.n_faces() && topology.n_vertices() <= mesh.n_vertices();
         fits.then_some(Self { mesh, topology, may_cross })
+    }
+
+    /// The end of a way that begins inside the face of `start` and does not leave it: no layout is needed there.
+    fn end_in_face(&self, start: SurfacePoint, displacement: DVec3) -> Option<SurfacePoint> {
+        let [a, b, c] = self.corners(HalfedgeId::of(start.face, 0));
+        let (ab, ac) = (b - a, c - a);
+        let normal = ab.cross(ac);
+        let per_area = normal / normal.length_squared();
+        let (to_b, to_c) = (displacement.cross(ac).dot(per_area), ab.cross(displacement).dot(per_area));
+        let end = start.barycentric + DVec3::new(-to_b - to_c, to_b, to_c);
+        // Not so in a face without area, where the end is not a number.
+        (start.barycentric.min_element() >= INSIDE && end.min_element() >= INSIDE).then(|| SurfacePoint::new(start.face, end))
     }
 
     /// The walker at the end of its way, and whether something stopped it.

@@ -7,7 +7,8 @@ use mesh_core::{MeshError, TopologyError, VertexId};
 pub struct RefineOptions {
     /// Edges longer than this are halved, in the units of the mesh, positive. Infinite: none.
     pub longest_edge: f64,
-    /// Creases, borders and marked edges shorter than this are contracted, in the units of the mesh, not negative. Default 0: none.
+    /// Creases, borders and marked edges shorter than this are contracted, and triangles lower than this are flipped away, in the units of the
+    /// mesh, not negative. Default 0: none.
     pub shortest_edge: f64,
     /// An edge with a greater dihedral angle (degrees between the normals of its faces, 0 to 180) is a crease, for the contraction of short
     /// ones. Default 40.

@@ -45,6 +45,7 @@ pub fn refine(
     };
     let mut refiner = Refiner {
         tolerance: options.flatness * mesh.diagonal(),
+        sliver: options.shortest_edge,
         marked: marked.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect(),
         mesh: editable,
         contractions,
@@ -81,6 +82,9 @@ struct Refiner {
     /// Ends in rising order.
     marked: FxHashSet<[VertexId; 2]>,
     tolerance: f64,
+    /// A triangle lower than this has no say in where the surface is: its longest edge is flipped wherever its neighbours lie, which moves the
+    /// surface by its height. Else needles between two lines that are one crease would stay.
+    sliver: f64,
     contractions: usize,
     flips: usize,
     splits: usize,
@@ -115,7 +119,7 @@ impl Refiner {
         let [pa, pb, pc, pd] = [a, b, c, d].map(|v| mesh.positions[v]);
         angle(pc, pa, pb) + angle(pd, pa, pb) > std::f64::consts::PI + ANGLE_MARGIN
             && !self.marked.contains(&[a.min(b), a.max(b)])
-            && is_same_surface([pa, pb, pc, pd], self.tolerance)
+            && is_same_surface([pa, pb, pc, pd], self.tolerance, self.sliver)
             && c != d
             && !mesh.are_joined(h.prev(), d)
     }
@@ -168,11 +172,14 @@ fn angle(o: DVec3, a: DVec3, b: DVec3) -> f64 {
     u.cross(v).length().atan2(u.dot(v))
 }
 
-/// Do the triangles `a d c` and `d b c` cover what `a b c` and `b a d` do, to the tolerance?
-fn is_same_surface([a, b, c, d]: [DVec3; 4], tolerance: f64) -> bool {
+/// Do the triangles `a d c` and `d b c` cover what `a b c` and `b a d` do, to the tolerance? Where one of these is lower than `sliver` over
+/// `a b`, to that.
+fn is_same_surface([a, b, c, d]: [DVec3; 4], tolerance: f64, sliver: f64) -> bool {
     let (ab, cd) = (b - a, d - c);
     let across = ab.cross(cd);
     let size = across.length();
+    let is_low = |p: DVec3| (p - a).cross(ab).length() < sliver * ab.length();
+    let tolerance = if is_low(c) || is_low(d) { sliver.max(tolerance) } else { tolerance };
     // Both diagonals cross, seen along the normal of the quad: at their distance, the surface moves most.
     if size <= 0.0 || (c - a).dot(across).abs() > tolerance * size {
         return false;
@@ -181,7 +188,7 @@ fn is_same_surface([a, b, c, d]: [DVec3; 4], tolerance: f64) -> bool {
     let faces_up = |t: [DVec3; 3]| mesh_core::vector_area(t).dot(normal);
     let has_height = |t: [DVec3; 3]| {
         let longest = t[0].distance(t[1]).max(t[1].distance(t[2])).max(t[2].distance(t[0]));
-        mesh_core::area(t) > NO_HEIGHT * longest * longest
+        mesh_core::area(t) > (NO_HEIGHT * longest).max(0.5 * sliver) * longest
     };
     let old = [[a, b, c], [b, a, d]];
     let new = [[a, d, c], [d, b, c]];

@@ -18,16 +18,21 @@ impl<T> Best<T> {
         Self { warnings: Vec::new(), failures: Vec::new(), certified: None }
     }
 
-    /// Takes a certified result. Breaks where nothing better can come.
+    /// What the best result comes to; `None` where there is none.
+    pub(crate) fn verdict(&self) -> Option<&Verdict> {
+        self.certified.as_ref().map(|(verdict, _)| verdict)
+    }
+
+    /// Takes a certified result. Breaks where it has all parts of the input: other creases or another way could not add any.
     pub(crate) fn pass(&mut self, remedy: Remedy, verdict: Verdict, result: T) -> ControlFlow<()> {
         if let Verdict::Lost { base_edges } = verdict {
             self.warnings.push(format!("{remedy} it misses the input by {base_edges:.2} base edges somewhere"));
         }
-        let is_right = verdict == Verdict::Certified;
+        let has_all = matches!(verdict, Verdict::Certified | Verdict::Short { .. });
         if self.certified.as_ref().is_none_or(|(best, _)| verdict > *best) {
             self.certified = Some((verdict, result));
         }
-        if is_right { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if has_all { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Takes a failure. Breaks where no other base mesh can help.

@@ -7,10 +7,11 @@ use crate::finish::{finished, paper_finished};
 use crate::input::Input;
 use crate::progress::{OnProgress, Watch, watched};
 use crate::remeshed::{Based, Remeshed};
-use crate::rescue::{Budget, Loss, PLAN};
+use crate::rescue::{Budget, GROWTH, Loss, PLAN};
 use crate::run::Run;
 use crate::verdict::Verdict;
 use crate::{Error, Options};
+use certify::Shortcoming;
 use mesh_core::Soup;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -66,15 +67,21 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
     Ok(Based { stages, attempts, seconds })
 }
 
-/// Tries the settings of the plan, and both base meshes of each, until a result is certified and has lost no part of the input. Of those that
-/// are only certified the best is returned when the plan or the budget is at its end.
+/// Tries the settings of the plan, and both base meshes of each, until a result is certified and has lost no part of the input. Where no number
+/// of base vertices is asked for, it then gets more of them as long as it is too coarse for the shape. The best is returned when the plan or the
+/// budget is at its end.
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let budget = Budget::new(input.asked, options.levels);
     let mut tries = Tries { input, options, budget, needed: 0, best: Best::new() };
     let start = Instant::now();
     match only_base(input, options, run) {
         Some(made) => drop(tries.only(made, start, run)),
-        None => drop(PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run))),
+        None => {
+            let _ = PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run));
+            if options.base_vertices.is_none() {
+                tries.grow(run);
+            }
+        }
     }
     let (mut remeshed, warnings) = tries.best.end()?;
     remeshed.report.warnings.splice(..0, warnings);
@@ -115,6 +122,29 @@ impl Tries<'_> {
             start = Instant::now();
         }
         ControlFlow::Continue(())
+    }
+
+    /// Tries more base vertices as long as the best result is too coarse for the shape, and they help.
+    fn grow(&mut self, run: &mut Run) {
+        for &(remedy, ref setting) in &GROWTH {
+            let Some(before) = self.best.verdict().cloned() else { return };
+            let may_help =
+                matches!(&before, Verdict::Short { shortcomings } if shortcomings.iter().any(Shortcoming::falls_with_size));
+            if !may_help || !self.budget.bears(setting.base_vertices) {
+                return;
+            }
+            let start = Instant::now();
+            let made = Proposals::new(self.input, self.options, setting, self.needed, &|_, _| Ok(()), run);
+            let made = made.and_then(|mut proposals| proposals.next(run));
+            let next = match made {
+                Ok(Some(stages)) => self.base(remedy, &stages, start, run),
+                Ok(None) => return,
+                Err(e) => self.no_base(remedy, e, start, run),
+            };
+            if next.is_break() && self.best.verdict() == Some(&before) {
+                return;
+            }
+        }
     }
 
     /// Tries the only base mesh that there is.
@@ -193,5 +223,26 @@ fn verdict(input: &Input, options: &Options, remeshed: &Remeshed) -> Verdict {
     let of_diagonal = remeshed.report.certificate.measures.distance.worse().max;
     let base_edges = of_diagonal * input.cleaned.mesh.diagonal() / input.base_edge_length();
     let loss = Loss { of_diagonal, base_edges };
-    if loss.is_a_part(options.levels) { Verdict::Lost { base_edges } } else { Verdict::Certified }
+    let is_lost = loss.is_a_part(options.levels);
+    if is_lost { Verdict::Lost { base_edges } } else { Verdict::of(remeshed.report.shortcomings.clone()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring that is thin against the base edges falls short of its shape. Where no number is asked for it gets more base vertices, as many
+    /// times as that helps.
+    #[test]
+    fn what_is_too_coarse_for_its_shape_is_made_finer() {
+        let asked = Options { base_vertices: Some(24), levels: 1, ..Options::default() };
+        let run = &mut Run::new(Watch::default());
+        let input = Input::new(&fixtures::torus(1.0, 0.2, 64, 24).to_soup(), &asked, run).unwrap();
+        let made = |remeshed: &Remeshed| remeshed.stages.base.base.mesh().n_vertices();
+        let as_asked = best_of_plan(&input, &asked, run).unwrap();
+        let severity = |r: &Remeshed| r.report.shortcomings.iter().map(Shortcoming::severity).sum::<f64>();
+        assert!(severity(&as_asked) > 0.0 && made(&as_asked) < 30, "{:?}", as_asked.report.shortcomings);
+        let grown = best_of_plan(&input, &Options { base_vertices: None, ..asked }, run).unwrap();
+        assert!(severity(&grown) < severity(&as_asked) && made(&grown) > 40, "{:?}", grown.report.shortcomings);
+    }
 }

@@ -3,7 +3,7 @@
 use crate::attempt::Attempt;
 use crate::base::{BaseCounts, CellCounts, Way};
 use crate::run::StageSeconds;
-use certify::Certificate;
+use certify::{Certificate, SharpCover, Shortcoming};
 use mesh_core::CleanReport;
 use region_map::CreaseLengths;
 
@@ -34,6 +34,10 @@ pub struct Report {
     pub fit: Option<fit::FitReport>,
     /// The independent check of the result.
     pub certificate: Certificate,
+    /// What is kept of the sharp edges that a person sees; `None` where there are none.
+    pub sharp_edges: Option<SharpCover>,
+    /// What a person would not accept of it without a second look.
+    pub shortcomings: Vec<Shortcoming>,
     /// Wall time of the stages.
     pub seconds: StageSeconds,
 }

@@ -1,5 +1,6 @@
 //! What a try came to: one total order, from the worst to the best.
 
+use certify::Shortcoming;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -23,23 +24,34 @@ pub enum Verdict {
         /// How far the mesh misses the input somewhere, in edge lengths of the base mesh that was asked for.
         base_edges: f64,
     },
-    /// Certified, and all of the input is there.
+    /// Certified, and all parts of the input are there, but a person would not take it without a second look.
+    Short {
+        /// Why; never empty.
+        shortcomings: Vec<Shortcoming>,
+    },
+    /// Certified, and as a person would have it.
     Certified,
 }
 
 impl Verdict {
+    /// Of a certified mesh that has all parts of the input and falls short in these.
+    pub fn of(shortcomings: Vec<Shortcoming>) -> Self {
+        if shortcomings.is_empty() { Self::Certified } else { Self::Short { shortcomings } }
+    }
+
     /// Whether there is a certified mesh.
     pub fn is_certified(&self) -> bool {
-        matches!(self, Self::Certified | Self::Lost { .. })
+        matches!(self, Self::Certified | Self::Short { .. } | Self::Lost { .. })
     }
 
     /// The kind, and within the kind how bad.
     fn rank(&self) -> (u8, f64) {
-        match *self {
+        match self {
             Self::Failed { .. } => (0, 0.0),
-            Self::Faulty { faults, triangles } => (1, faults as f64 / triangles.max(1) as f64),
-            Self::Lost { base_edges } => (2, base_edges),
-            Self::Certified => (3, 0.0),
+            Self::Faulty { faults, triangles } => (1, *faults as f64 / (*triangles).max(1) as f64),
+            Self::Lost { base_edges } => (2, *base_edges),
+            Self::Short { shortcomings } => (3, shortcomings.iter().map(Shortcoming::severity).sum()),
+            Self::Certified => (4, 0.0),
         }
     }
 }
@@ -71,6 +83,10 @@ impl fmt::Display for Verdict {
             Self::Failed { reason } => write!(f, "failed: {reason}"),
             Self::Faulty { faults, triangles } => write!(f, "{faults} of {triangles} triangles are folded or have no area"),
             Self::Lost { base_edges } => write!(f, "certified, but it misses the input by {base_edges:.2} base edges somewhere"),
+            Self::Short { shortcomings } => {
+                let words: Vec<String> = shortcomings.iter().map(ToString::to_string).collect();
+                write!(f, "certified, but {}", words.join("; "))
+            }
             Self::Certified => write!(f, "certified"),
         }
     }
@@ -88,6 +104,8 @@ mod tests {
             Verdict::Faulty { faults: 1, triangles: 100_000 },
             Verdict::Lost { base_edges: 0.5 },
             Verdict::Lost { base_edges: 0.3 },
+            Verdict::Short { shortcomings: vec![Shortcoming::SharpEdges(0.5)] },
+            Verdict::Short { shortcomings: vec![Shortcoming::SharpEdges(0.9), Shortcoming::MeanShape(0.79)] },
             Verdict::Certified,
         ];
         for (i, worse) in order.iter().enumerate() {
@@ -95,6 +113,6 @@ mod tests {
                 assert_eq!(worse.cmp(other), i.cmp(&j), "{worse} and {other}");
             }
         }
-        assert_eq!(order.iter().filter(|v| v.is_certified()).count(), 3);
+        assert_eq!(order.iter().filter(|v| v.is_certified()).count(), 5);
     }
 }

@@ -51,6 +51,9 @@ pub enum Untraced {
     /// A base mesh to be traced anew is not of this surface, or contradicts itself.
     #[error("the base mesh is not of this surface, or contradicts itself")]
     OtherSurface,
+    /// The edges wind, and would cut the surface into more pieces than this.
+    #[error("the base edges wind over long, thin triangles and would cut the surface into more than {0} pieces")]
+    TooManyPieces(usize),
     /// A base vertex has come to a place that is not finite: a bug of ours.
     #[error("internal error: a base vertex is at no finite place; please report this")]
     NotFinite,

@@ -141,7 +141,7 @@ fn reason(asked: usize, made: usize, surface: &Surface, setting: &Setting) -> St
         return String::new();
     }
     if setting.base_vertices > 1.0 {
-        return format!("asked {asked}, took {made}: with fewer the result did not pass the certificate");
+        return format!("asked {asked}, took {made}: with fewer the result was not right");
     }
     let (corners, arcs) = (surface.network().corners.len(), surface.network().arcs.len());
     format!("asked {asked}, took {made}: {corners} corners and {arcs} arcs must be kept, and the shape between them")

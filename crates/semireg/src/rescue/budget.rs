@@ -9,7 +9,12 @@ const MOST_UNASKED: u64 = 500_000;
 /// How many times the vertices asked for a base mesh of such a large result may have: more lets people wait for what they did not ask for.
 const MOST_TIMES: usize = 4;
 /// Once results with this many triangles in all have failed, no other base mesh is tried. Two cores make about 10,000 triangles a second.
-const MOST_FAILED: u64 = 400_000;
+const MOST_FAILED: u64 = 150_000;
+
+/// Base vertices at most of a mesh that is made finer for its shape, where no number is asked for.
+const MOST_GROWN: usize = 4_000;
+/// Triangles of all results of a run at most, with the one that is made finer for its shape: no answer shall take minutes.
+const MOST_ON_SHAPE: u64 = 250_000;
 
 /// What a candidate may have folded at most to be worth the next stage, as a share of its triangles. Small results may have more, as they
 /// cost little: the bound falls with a power of the number of triangles, without a step.
@@ -69,6 +74,13 @@ impl Budget {
     /// Whether so much has been tried that no other base mesh shall be.
     pub(crate) fn is_spent(&self) -> bool {
         self.triangles > MOST_FAILED
+    }
+
+    /// Whether a result on so many times the base vertices may be tried for its shape.
+    pub(crate) fn bears(&self, times: f64) -> bool {
+        let vertices = (times * self.asked as f64) as usize;
+        // A closed surface has about two faces for each vertex.
+        vertices <= MOST_GROWN && self.triangles + self.finest(2 * vertices) <= MOST_ON_SHAPE
     }
 
     /// Takes what a base mesh of so many faces costs.

@@ -1,22 +1,21 @@
-//! Places where a result misses the input by more than a person accepts: the base mesh gets vertices there, and nowhere else.
+//! Places where a result misses the input by more than a person accepts, or a sharp edge of it, or cuts itself: the base mesh gets vertices there,
+//! and nowhere else.
 
 use super::mender::Mender;
 use crate::attempt::{EdgeChoice, Remedy};
 use crate::candidate::Candidate;
 use crate::run::Run;
 use crate::{Error, Options};
-use certify::{Missed, Reference};
-use mesh_core::{TriMesh, equilateral_edge_length};
+use certify::{Reference, SharpEdges, accepted_distance, mean_edge};
+use mesh_core::{FaceId, TriMesh};
 use std::time::Instant;
 
-/// A distance of this share of the diagonal is accepted anywhere: hardly anybody sees it. More leaves more chords across rims and holes.
-const UNSEEN: f64 = 2.4e-3;
-/// And so is this share of a mean edge of the finest level: edges of that length don't follow what is smaller.
-const OF_EDGE: f64 = 0.24;
+/// Distances are kept below this share of what is accepted: the measure of a result takes other points than these.
+const MARGIN: f64 = 0.96;
 /// Rounds of bisection at most. Each halves the edges under what is missed, and so the distance or better.
 const ROUNDS: usize = 6;
 /// The base mesh grows by this share at most: where more is missed, the whole result is too coarse for the shape.
-const MOST_GROWTH: f64 = 0.1;
+const MOST_GROWTH: f64 = 0.5;
 
 /// Finishes a candidate by `finish`, and refines its base mesh where the result misses the input, as long as that helps. The result that misses
 /// least is kept.
@@ -33,10 +32,12 @@ pub(crate) fn followed(
         return Ok(finish(start, run));
     }
     let mut best = finish(start.clone(), run);
-    let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input somewhere");
+    let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
     let (n_faults, mut now) = (best.n_faults(), start);
-    let mut last = missed(input, &best.relaxed.domain.mesh);
-    let mut least = last.greatest;
+    let sharp = SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh));
+    let missed = |candidate: &Candidate| missed(input, &sharp, &candidate.relaxed.domain.mesh);
+    let mut last = missed(&best);
+    let mut least = last.badness();
     for _ in 0..ROUNDS {
         if last.faces.is_empty() {
             break;
@@ -45,22 +46,42 @@ pub(crate) fn followed(
         // The triangles of the finished candidate are those of the one before, in other places.
         let Some(refined) = mender.refined(&now, &last.faces, EdgeChoice::OnArc)? else { break };
         let finished = finish(refined.clone(), run);
-        let missed = missed(input, &finished.relaxed.domain.mesh);
+        let missed = missed(&finished);
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
         if finished.n_faults() > n_faults || !helps {
             break;
         }
-        if missed.greatest < least {
-            (best, least) = (finished, missed.greatest);
+        if missed.badness() < least {
+            (best, least) = (finished, missed.badness());
         }
         (now, last) = (refined, missed);
     }
     Ok(best)
 }
 
-/// Where a mesh misses the input by more than is accepted.
-fn missed(input: &Reference, mesh: &TriMesh) -> Missed {
-    let edge = equilateral_edge_length(mesh.total_area(), mesh.n_faces() / 2);
-    certify::missed(input, mesh, (UNSEEN * input.diagonal()).max(OF_EDGE * edge))
+/// Where a result misses the input, or a sharp edge of it, or cuts itself where the input does not.
+struct Misses {
+    /// The triangles there, in rising order.
+    faces: Vec<FaceId>,
+    /// The greatest distance over the one that is accepted, 0 where none is greater.
+    greatest: f64,
+}
+
+impl Misses {
+    /// The less the better: distance first, then how much of the sharp edges is missing.
+    fn badness(&self) -> (f64, usize) {
+        (self.greatest, self.faces.len())
+    }
+}
+
+fn missed(input: &Reference, sharp: &SharpEdges, mesh: &TriMesh) -> Misses {
+    let accepted = MARGIN * accepted_distance(input.diagonal(), mean_edge(mesh));
+    let far = certify::missed(input, mesh, accepted);
+    // On an input that cuts itself the result must do so, too, in triangles of its own.
+    let cuts = if input.self_intersecting().is_empty() { certify::self_intersecting(mesh) } else { Vec::new() };
+    let mut faces = [far.faces, sharp.missed(mesh), cuts].concat();
+    faces.sort_unstable();
+    faces.dedup();
+    Misses { faces, greatest: far.greatest / accepted }
 }

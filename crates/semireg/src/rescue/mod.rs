@@ -10,4 +10,4 @@ pub use budget::MAX_TRIANGLES;
 pub(crate) use budget::{Budget, NextStage};
 pub(crate) use misses::followed;
 pub(crate) use places::mended;
-pub(crate) use plan::{Loss, PLAN};
+pub(crate) use plan::{GROWTH, Loss, PLAN};

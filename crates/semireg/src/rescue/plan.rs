@@ -16,6 +16,12 @@ pub(crate) const PLAN: [(Remedy, Setting); 5] = [
     (Remedy::FewerCreases(1.6), Setting { persistence: 3.0, base_vertices: 1.6, turn: 1.2, as_needed: true }),
 ];
 
+/// What is tried where a result has all parts of the input and is too coarse for its shape, as long as that helps.
+pub(crate) const GROWTH: [(Remedy, Setting); 2] = [
+    (Remedy::MoreVertices(2.0), Setting { base_vertices: 2.0, ..FIRST }),
+    (Remedy::MoreVertices(4.0), Setting { base_vertices: 4.0, ..FIRST }),
+];
+
 /// A result that misses the input by more than this share of a base edge somewhere has lost a part of it. Measured at level 3: good results
 /// miss by .01 (fandisk) to .16 (casting); a camel without one fold of its mouth by .5.
 const LOST: f64 = 0.25;

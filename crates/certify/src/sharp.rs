@@ -3,15 +3,16 @@
 //! Many edges over 40 degrees are none that anybody would call sharp: the noise of a scan, or the horn of a cow in large triangles. An edge
 //! is seen as sharp when the surface also turns between points at some distance on both sides of it, and when it goes on for a while.
 
-use certify::{ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES};
+use crate::creases::{ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES};
 use glam::DVec3;
 use mesh_core::{FaceId, Id as _, SurfaceIndex, TriMesh, VertexId};
 use rayon::prelude::*;
 
 /// How far from an edge the surface is looked at, in mean edge lengths of the remeshed surface: what it can tell from a round edge.
 const REACH: f64 = 0.75;
-/// Bounds of that distance, in diagonals: what a person can tell from a round edge in a picture of the whole.
+/// The least such distance, in diagonals: what a person can tell from a round edge in a picture of the whole. More takes narrow steps for round.
 const LEAST_REACH: f64 = 0.002;
+/// The greatest such distance, in diagonals. More looks at other parts than those beside the edge.
 const GREATEST_REACH: f64 = 0.01;
 /// Between both sides the surface turns by more than this, in degrees.
 const LEAST_TURN: f64 = 30.0;
@@ -22,58 +23,89 @@ const NEAR: f64 = 2e-3;
 /// Points on all sharp edges.
 const SAMPLES: usize = 20_000;
 
-/// What is kept of sharp edges.
+/// The edges of a mesh that a person sees as sharp, as points along them.
+#[derive(Clone, Debug)]
+pub struct SharpEdges {
+    points: Vec<DVec3>,
+    /// Their length, in the units of the mesh.
+    length: f64,
+    diagonal: f64,
+}
+
+/// What a remeshed surface keeps of sharp edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Kept {
+pub struct SharpCover {
     /// The share of their length that has a crease of the remeshed surface beside it.
-    pub(crate) share: f64,
+    pub share: f64,
     /// Their length in the original, in diagonals.
-    pub(crate) length: f64,
+    pub length: f64,
 }
 
 /// A cylinder has sharp edges of 3.6 diagonals, a cube of 7, a cow of 1 where its ears and legs begin.
 const FEW: f64 = 1.5;
 
-impl Kept {
+impl SharpCover {
     /// Whether they are so short that they do not make the shape.
-    pub(crate) fn are_few(self) -> bool {
+    pub fn are_few(self) -> bool {
         self.length < FEW
     }
 }
 
-/// What a remeshed surface keeps of the original's sharp edges; `None` without any. Both are connected by index.
-pub(crate) fn kept(original: &TriMesh, remeshed: &TriMesh) -> Option<Kept> {
-    let diagonal = original.diagonal();
-    let seen = seen(original, reach(diagonal, remeshed), LEAST_LENGTH * diagonal);
-    let (points, length) = (points_along(&seen), total_length(&seen) / diagonal);
-    if points.is_empty() {
-        return None;
+impl SharpEdges {
+    /// Those of an original, as far as a surface with edges of this mean length can tell them from round ones. The original is connected by
+    /// index, and the length is in its units.
+    pub fn new(original: &TriMesh, mean_edge: f64) -> Self {
+        let diagonal = original.diagonal();
+        let reach = (REACH * mean_edge).clamp(LEAST_REACH * diagonal, GREATEST_REACH * diagonal);
+        let seen = seen(original, reach, LEAST_LENGTH * diagonal);
+        Self { points: points_along(&seen), length: total_length(&seen), diagonal }
     }
-    let creases = creases(remeshed, REMESHED_CREASE_DEGREES);
-    let Some(index) = segment_index(&creases.iter().map(|c| c.segment(remeshed)).collect::<Vec<_>>()) else {
-        return Some(Kept { share: 0.0, length });
-    };
-    let near = |p: &&DVec3| index.closest(**p).is_some_and(|c| c.distance < NEAR * diagonal);
-    Some(Kept { share: points.par_iter().filter(near).count() as f64 / points.len() as f64, length })
-}
 
-/// The length of the edges that a person sees as sharp, connected by index.
-pub(crate) fn length(mesh: &TriMesh) -> f64 {
-    let reach = reach(mesh.diagonal(), mesh);
-    total_length(&seen(mesh, reach, LEAST_LENGTH * mesh.diagonal()))
+    /// Their length, in the units of the mesh.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// What a remeshed surface keeps of them; `None` where there are none.
+    pub fn cover(&self, remeshed: &TriMesh) -> Option<SharpCover> {
+        let n = self.points.len();
+        let share = (n - self.uncovered(remeshed).len()) as f64 / n as f64;
+        (n > 0).then_some(SharpCover { share, length: self.length / self.diagonal })
+    }
+
+    /// The faces of a remeshed surface where it has no crease beside them, in rising order.
+    pub fn missed(&self, remeshed: &TriMesh) -> Vec<FaceId> {
+        let uncovered = self.uncovered(remeshed);
+        if uncovered.is_empty() {
+            return Vec::new();
+        }
+        let index = SurfaceIndex::new(remeshed);
+        let mut faces: Vec<FaceId> = uncovered.into_par_iter().filter_map(|p| Some(index.closest(p)?.face)).collect();
+        faces.sort_unstable();
+        faces.dedup();
+        faces
+    }
+
+    /// Points on them with no crease of a remeshed surface beside them.
+    fn uncovered(&self, remeshed: &TriMesh) -> Vec<DVec3> {
+        if self.points.is_empty() {
+            return Vec::new();
+        }
+        let creases = creases(remeshed, REMESHED_CREASE_DEGREES);
+        let Some(index) = segment_index(&creases.iter().map(|c| c.segment(remeshed)).collect::<Vec<_>>()) else {
+            return self.points.clone();
+        };
+        let is_near = |p: &DVec3| index.closest(*p).is_some_and(|c| c.distance < NEAR * self.diagonal);
+        self.points.par_iter().copied().filter(|p| !is_near(p)).collect()
+    }
 }
 
 fn total_length(segments: &[[DVec3; 2]]) -> f64 {
     segments.iter().map(|[a, b]| a.distance(*b)).sum()
 }
 
-/// How far from an edge to look, for a remeshed surface with the resolution of `mesh`.
-fn reach(diagonal: f64, mesh: &TriMesh) -> f64 {
-    (REACH * mean_edge(mesh)).clamp(LEAST_REACH * diagonal, GREATEST_REACH * diagonal)
-}
-
-/// The mean length of the edges, those of the border half as much as others; 0 without faces.
-pub(crate) fn mean_edge(mesh: &TriMesh) -> f64 {
+/// The mean length of the edges of a mesh, those of the border half as much as others; 0 without faces.
+pub fn mean_edge(mesh: &TriMesh) -> f64 {
     let sides = mesh.faces().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let sum: f64 = sides.map(|[a, b]| mesh.distance(a, b)).sum();
     sum / (3 * mesh.n_faces()).max(1) as f64
@@ -218,13 +250,17 @@ mod tests {
         let seen = seen(&mesh, 0.3, 1.0);
         assert_eq!(seen.len(), 20);
         assert!(seen.iter().flatten().all(|p| p.x == 10.0));
-        let share = |remeshed: &TriMesh| kept(&mesh, remeshed).unwrap().share;
+        let sharp = SharpEdges::new(&mesh, mean_edge(&mesh));
+        let share = |remeshed: &TriMesh| sharp.cover(remeshed).unwrap().share;
         assert_eq!(share(&mesh), 1.0);
-        assert!((kept(&mesh, &mesh).unwrap().length * mesh.diagonal() - 20.0).abs() < 1e-9);
+        assert!((sharp.length() - 20.0).abs() < 1e-9);
         // A flat surface keeps nothing, one with half of the ridge half of it.
         assert_eq!(share(&strip(20, |_, _| 0.0)), 0.0);
         let half = share(&strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 }));
         assert!((half - 0.5).abs() < 0.05, "{half}");
+        // What is missed are the faces below the other half.
+        let missed = sharp.missed(&strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 }));
+        assert!(!missed.is_empty() && sharp.missed(&mesh).is_empty());
     }
 
     #[test]
@@ -233,7 +269,7 @@ mod tests {
         let noise = |x: f64, y: f64| if (x + 2.0 * y) % 3.0 == 0.0 { 0.5 } else { 0.0 };
         let rough = strip(100, noise);
         assert!(creases(&rough, ORIGINAL_CREASE_DEGREES).len() > 1000);
-        assert_eq!(kept(&rough, &rough), None);
+        assert_eq!(SharpEdges::new(&rough, mean_edge(&rough)).cover(&rough), None);
         let crumb = strip(100, |x, y| if y == 50.0 && (x == 50.0 || x == 51.0) { 0.9 } else { 0.0 });
         assert!(!creases(&crumb, ORIGINAL_CREASE_DEGREES).is_empty());
         assert_eq!(seen(&crumb, 1.0, 10.0).len(), 0);
