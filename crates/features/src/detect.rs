@@ -4,12 +4,12 @@ use crate::corner::{cone_tips, sharp_turns};
 use crate::crease::Creases;
 use crate::options::{FeatureError, FeatureOptions, check_same_mesh};
 use crate::simplify::simplify;
-use crate::touching::touching_points;
+use crate::touching::Touching;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
 use region_map::{ArcKind, Network, NetworkError};
 
-/// Points where the surface touches itself are corners, unless there are more than this share of the base vertices: those of a broken scan would
-/// be the whole base mesh.
+/// Single points where the surface touches itself are corners, unless there are more than this share of the base vertices: those of a broken scan
+/// would be the whole base mesh.
 const TOUCHING_SHARE: f64 = 0.1;
 
 /// Finds creases, borders and marked edges, simplifies them and sets the corners.
@@ -18,7 +18,7 @@ const TOUCHING_SHARE: f64 = 0.1;
 /// - `base_edge_length`: the length of an edge of the base mesh, in the units of the mesh: the resolution at which the network is
 ///   simplified. 0 keeps every crease.
 ///
-/// Borders and marked edges are always in the network. Creases that are too small or too weak at the base resolution are in
+/// Borders, marked edges and lines where sheets touch are always in the network. Creases that are too small or too weak at the base resolution are in
 /// [`Network::minor`].
 ///
 /// Fails where an option is out of its range, the topology is of another mesh, or a marked pair is no edge.
@@ -41,8 +41,12 @@ pub fn detect(
             kinds[e] = Some(ArcKind::Marked);
         }
     }
+    let touching = Touching::find(mesh, topology);
+    for e in touching.lines().filter(|&e| !topology.is_border_edge(e)) {
+        kinds[e] = Some(ArcKind::Marked);
+    }
     let minor = simplify(mesh, topology, &creases, &mut kinds, base_edge_length, options.persistence)?;
-    let is_corner = corners(mesh, topology, &kinds, base_edge_length)?;
+    let is_corner = corners(mesh, topology, &kinds, &touching, base_edge_length)?;
     Ok(Network::trace(mesh, topology, &kinds, |v| is_corner[v], minor)?)
 }
 
@@ -55,14 +59,16 @@ fn marked_edges(topology: &Topology, marked: &[[VertexId; 2]]) -> Result<Vec<Edg
     marked.iter().map(find).collect()
 }
 
-/// Corners beyond those of degree other than 2: sharp turns, cone tips, and points where the surface touches itself.
+/// Corners beyond those of degree other than 2: sharp turns, cone tips, and those where the surface touches itself.
 fn corners(
     mesh: &TriMesh,
     topology: &Topology,
     kinds: &IdVec<EdgeId, Option<ArcKind>>,
+    touching: &Touching<'_>,
     base_edge_length: f64,
 ) -> Result<IdVec<VertexId, bool>, NetworkError> {
-    let network = Network::trace(mesh, topology, kinds, |_| false, Vec::new())?;
+    let traced = |is_corner: &IdVec<VertexId, bool>| Network::trace(mesh, topology, kinds, |v| is_corner[v], Vec::new());
+    let network = traced(&IdVec::filled(false, topology.n_vertices()))?;
     let mut is_corner = IdVec::filled(false, topology.n_vertices());
     for v in sharp_turns(mesh, &network, base_edge_length) {
         is_corner[v] = true;
@@ -70,9 +76,7 @@ fn corners(
     for v in cone_tips(mesh, topology, kinds) {
         is_corner[v] = true;
     }
-    for v in touching_points(mesh, topology, most_touching(mesh, base_edge_length)) {
-        is_corner[v] = true;
-    }
+    touching.set_corners(&mut is_corner, most_touching(mesh, base_edge_length), traced)?;
     Ok(is_corner)
 }
 

@@ -29,3 +29,4 @@ mod touching;
 
 pub use detect::detect;
 pub use options::{FeatureError, FeatureOptions};
+pub use touching::touching_edges;

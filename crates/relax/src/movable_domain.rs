@@ -48,15 +48,12 @@ impl<'a> MovableDomain<'a> {
         each(self.topology.n_faces(), value)
     }
 
-    /// Holds some vertices inside sheets where they are. Fails for one that is not there.
+    /// Holds some vertices where they are. Fails for one that is not there.
     pub(crate) fn hold(&mut self, held: &[VertexId]) -> Result<(), RelaxError> {
-        for &v in held {
-            match self.freedoms.get(v) {
-                None => return Err(RelaxError::NoSuchVertex(v)),
-                Some(Freedom::Sheet) => self.freedoms[v] = Freedom::Fixed,
-                Some(_) => {}
-            }
+        if let Some(&v) = held.iter().find(|&&v| self.freedoms.get(v).is_none()) {
+            return Err(RelaxError::NoSuchVertex(v));
         }
+        held.iter().for_each(|&v| self.freedoms[v] = Freedom::Fixed);
         Ok(())
     }
 

@@ -64,7 +64,7 @@ pub fn relax(surface: &Surface, domain: &Domain, options: &RelaxOptions) -> Resu
     relax_holding(surface, domain, &[], options)
 }
 
-/// Relaxes as [`relax`] does, and holds some vertices inside sheets where they are. Those on arcs slide all the same.
+/// Relaxes as [`relax`] does, and holds some vertices where they are.
 ///
 /// Fails as [`relax`] does, and for a held vertex that is not in the domain.
 pub fn relax_holding(
@@ -75,8 +75,9 @@ pub fn relax_holding(
 ) -> Result<Relaxed, RelaxError> {
     options.check()?;
     let mut movable = MovableDomain::new(surface, domain)?;
-    movable.hold(held)?;
+    // A vertex that is held on an arc still has a normal on each side of it.
     let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
+    movable.hold(held)?;
     let start = Quality::of(&placed, &movable);
 
     let (relaxed, quadric_iterations) = if options.quadric.iterations == 0 {

@@ -5,6 +5,7 @@ use crate::Error;
 use crate::attempt::Remedy;
 use crate::candidate::Candidate;
 use crate::report::SnapCounts;
+use crate::rescue::on_touching_arcs;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
 use mesh_core::{FaceId, HalfedgeId};
@@ -46,7 +47,7 @@ fn rounds(input: &Reference, before: &Candidate, options: &RelaxOptions, run: &m
     (few_steps.shape.steps, few_steps.shape.untangling_steps) = (STEPS, UNTANGLING_STEPS);
     let snap_options = SnapOptions::default();
     let start = &before.relaxed.domain;
-    let (mut let_go, mut best) = (LetGo::default(), None);
+    let (mut let_go, mut best) = (LetGo { bends: on_touching_arcs(&before.surface), ..LetGo::default() }, None);
     for round in 1..=MOST_ROUNDS {
         let begun = Instant::now();
         let snapped = snap::snap(&before.surface, start, &let_go, &snap_options)?;

@@ -1,6 +1,7 @@
 //! All stages after the base mesh, straight through.
 
 use super::fitting::{Certified, certified};
+use super::levels::again;
 use super::place::{Placed, placed};
 use super::snapping::snapped;
 use crate::base::{Base, BaseStages, Way};
@@ -8,7 +9,7 @@ use crate::candidate::Candidate;
 use crate::input::Input;
 use crate::remeshed::{Remeshed, Stages};
 use crate::report::Report;
-use crate::rescue::{NextStage, followed, mended};
+use crate::rescue::{NextStage, followed, joined, matched, mended};
 use crate::run::{Run, StageSeconds};
 use crate::{Error, Options};
 use certify::{SharpEdges, Shortcoming};
@@ -19,9 +20,13 @@ use project::ProjectReport;
 pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let Placed { subdivided, projected, project, candidate } = placed(input, stages, options, run)?;
     let candidate = mended(&input.reference, candidate, options, run)?;
+    let candidate = matched(&input.reference, candidate, options)?;
     NextStage::Snap.is_worth(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
-    let snap = |candidate, run: &mut Run| snapped(&input.reference, candidate, &options.relax, run);
-    let candidate = followed(&input.reference, candidate, options, run, snap)?;
+    let finish = |candidate, run: &mut Run| {
+        let snapped = snapped(&input.reference, candidate, &options.relax, run);
+        joined(&input.reference, snapped, &again(&options.relax))
+    };
+    let candidate = followed(&input.reference, candidate, options, run, finish)?;
     let mut warnings = stages.warnings.clone();
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
     NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
@@ -110,7 +115,7 @@ mod tests {
                 positions.iter_mut().take(1).for_each(|p| *p *= 1.5);
                 candidate.relaxed.domain.mesh = candidate.relaxed.domain.mesh.with_positions(positions).unwrap();
             }
-            candidate
+            Ok(candidate)
         };
         let mut after = |options: &Options| followed(&input.reference, start.clone(), options, &mut run, pulled).unwrap();
         let greatest = |result: &Candidate| certify::missed(&input.reference, &result.relaxed.domain.mesh, 0.0).greatest;

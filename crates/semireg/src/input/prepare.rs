@@ -19,7 +19,7 @@ pub(crate) struct Input {
     pub(crate) reference: Reference,
     /// The working mesh: the same surface in triangles that are not in the way. Its only arcs are its borders, until features are detected.
     pub(crate) working: Surface,
-    /// The user's marked edges in the working mesh.
+    /// The user's marked edges in the working mesh, and those along which its sheets touch.
     pub(crate) marked: Vec<[VertexId; 2]>,
     /// The base mesh that the options give, if they do.
     pub(crate) given: Option<GivenBase>,
@@ -39,7 +39,8 @@ impl Input {
         let given = options.base_mesh.as_ref().map(GivenBase::new).transpose()?;
         let interrupt = run.interrupt().clone();
         let cleaned = run.stage("clean", || mesh_core::clean_until(soup, &options.clean, &interrupt))?;
-        let marked = marked_edges(&cleaned, &options.marked_edges)?;
+        let mut marked = marked_edges(&cleaned, &options.marked_edges)?;
+        marked.extend(features::touching_edges(&cleaned.mesh, &cleaned.topology)?);
         let asked = match (&given, options.base_vertices) {
             (Some(base), _) => base.mesh.n_vertices(),
             (None, Some(asked)) => asked,

@@ -9,7 +9,7 @@ const MOST_UNASKED: u64 = 500_000;
 /// How many times the vertices asked for a base mesh of such a large result may have: more lets people wait for what they did not ask for.
 const MOST_TIMES: usize = 4;
 /// Once results with this many triangles in all have failed, no other base mesh is tried. Two cores make about 10,000 triangles a second.
-const MOST_FAILED: u64 = 150_000;
+const MOST_FAILED: u64 = 230_000;
 
 /// Base vertices at most of a mesh that is made finer for its shape, where no number is asked for.
 const MOST_GROWN: usize = 4_000;

@@ -51,11 +51,15 @@ impl<'a> Mender<'a> {
     /// The base mesh bisected under some triangles, and what is around the new vertices relaxed. `None` where it would grow too much, it has
     /// no map, or a new vertex finds no place.
     pub(super) fn refined(&self, before: &Candidate, faces: &[FaceId], choice: EdgeChoice) -> Result<Option<Candidate>, Error> {
-        let edges = edges_under(before, faces, self.options.levels, choice);
+        self.bisected_at(before, &edges_under(before, faces, self.options.levels, choice))
+    }
+
+    /// Some edges of the base mesh bisected, and what is around the new vertices relaxed. `None` as above.
+    pub(super) fn bisected_at(&self, before: &Candidate, edges: &[[VertexId; 2]]) -> Result<Option<Candidate>, Error> {
         if before.base.mesh().n_vertices() + edges.len() > self.most_vertices {
             return Ok(None);
         }
-        let Some(bisected) = self.bisected(before, &edges)? else { return Ok(None) };
+        let Some(bisected) = self.bisected(before, edges)? else { return Ok(None) };
         self.relaxed(&bisected.candidate, &bisected.new_faces, REACH_OF_BISECTION).map(Some)
     }
 

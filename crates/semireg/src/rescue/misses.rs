@@ -2,6 +2,7 @@
 //! and nowhere else.
 
 use super::mender::Mender;
+use super::together::matched;
 use crate::attempt::{EdgeChoice, Remedy};
 use crate::candidate::Candidate;
 use crate::run::Run;
@@ -26,12 +27,12 @@ pub(crate) fn followed(
     start: Candidate,
     options: &Options,
     run: &mut Run,
-    mut finish: impl FnMut(Candidate, &mut Run) -> Candidate,
+    mut finish: impl FnMut(Candidate, &mut Run) -> Result<Candidate, Error>,
 ) -> Result<Candidate, Error> {
     if options.base_vertices.is_some() || options.base_mesh.is_some() {
-        return Ok(finish(start, run));
+        return finish(start, run);
     }
-    let mut best = finish(start.clone(), run);
+    let mut best = finish(start.clone(), run)?;
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
     let (n_faults, mut now) = (best.n_faults(), start);
     let sharp = SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh));
@@ -45,7 +46,8 @@ pub(crate) fn followed(
         let begun = Instant::now();
         // The triangles of the finished candidate are those of the one before, in other places.
         let Some(refined) = mender.refined(&now, &last.faces, EdgeChoice::OnArc)? else { break };
-        let finished = finish(refined.clone(), run);
+        let refined = matched(input, refined, options)?;
+        let finished = finish(refined.clone(), run)?;
         let missed = missed(&finished);
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();

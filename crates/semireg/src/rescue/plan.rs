@@ -6,14 +6,14 @@ use crate::base::Setting;
 /// The first setting, and what all others differ from.
 const FIRST: Setting = Setting { persistence: 1.0, base_vertices: 1.0, as_needed: false, turn: 1.6 };
 
-/// Most models pass at the first setting, with one of its base meshes. A crease that was left out may have been needed, or one that was
-/// kept may be noise; and what is too coarse for the shape needs more vertices.
+/// Most models pass at the first setting, with one of its base meshes. A crease that was kept may be noise, or one that was left out may have been
+/// needed; and what is too coarse for the shape needs more vertices.
 pub(crate) const PLAN: [(Remedy, Setting); 5] = [
     (Remedy::AsAsked, FIRST),
+    (Remedy::FewerCreases(1.6), Setting { persistence: 3.0, base_vertices: 1.6, turn: 1.2, as_needed: true }),
     (Remedy::MoreVertices(1.5), Setting { base_vertices: 1.5, turn: 1.2, ..FIRST }),
     (Remedy::MoreCreases, Setting { persistence: 0.4, ..FIRST }),
     (Remedy::MoreVertices(2.5), Setting { base_vertices: 2.5, turn: 1.2, as_needed: true, ..FIRST }),
-    (Remedy::FewerCreases(1.6), Setting { persistence: 3.0, base_vertices: 1.6, turn: 1.2, as_needed: true }),
 ];
 
 /// What is tried where a result has all parts of the input and is too coarse for its shape, as long as that helps.
