@@ -10,7 +10,7 @@ use region_map::{ArcKind, Network, NetworkError};
 
 /// Single points where the surface touches itself are corners, unless there are more than this share of the base vertices: those of a broken scan
 /// would be the whole base mesh.
-const TOUCHING_SHARE: f64 = 0.1;
+const TOUCHING_SHARE: f64 = 0.02;
 
 /// Finds creases, borders and marked edges, simplifies them and sets the corners.
 ///

@@ -77,6 +77,14 @@ const MOST_FLIPS: usize = 20;
 /// A triangle lower than this share of its longest edge has no normal worth asking for.
 const NO_HEIGHT: f64 = 1e-6;
 
+/// A low triangle is a sliver only below this share of its longest edge. More takes the noise of scans for slivers (fixture scan: mean AR .888
+/// without these flips, .847 with all low triangles flipped, .880 so).
+const THIN: f64 = 0.01;
+
+/// And only where its apex is over the middle of that edge, this share of it away from both ends at least: the long triangles of fillets, which are
+/// no slivers, have it over an end.
+const CAP: f64 = 0.05;
+
 struct Refiner {
     mesh: EditableMesh,
     /// Ends in rising order.
@@ -178,7 +186,10 @@ fn is_same_surface([a, b, c, d]: [DVec3; 4], tolerance: f64, sliver: f64) -> boo
     let (ab, cd) = (b - a, d - c);
     let across = ab.cross(cd);
     let size = across.length();
-    let is_low = |p: DVec3| (p - a).cross(ab).length() < sliver * ab.length();
+    let is_low = |p: DVec3| {
+        let foot = (p - a).dot(ab) / ab.length_squared();
+        (CAP..1.0 - CAP).contains(&foot) && (p - a).cross(ab).length() < sliver.min(THIN * ab.length()) * ab.length()
+    };
     let tolerance = if is_low(c) || is_low(d) { sliver.max(tolerance) } else { tolerance };
     // Both diagonals cross, seen along the normal of the quad: at their distance, the surface moves most.
     if size <= 0.0 || (c - a).dot(across).abs() > tolerance * size {
@@ -188,7 +199,7 @@ fn is_same_surface([a, b, c, d]: [DVec3; 4], tolerance: f64, sliver: f64) -> boo
     let faces_up = |t: [DVec3; 3]| mesh_core::vector_area(t).dot(normal);
     let has_height = |t: [DVec3; 3]| {
         let longest = t[0].distance(t[1]).max(t[1].distance(t[2])).max(t[2].distance(t[0]));
-        mesh_core::area(t) > (NO_HEIGHT * longest).max(0.5 * sliver) * longest
+        mesh_core::area(t) > (NO_HEIGHT * longest).max(0.5 * sliver.min(THIN * longest)) * longest
     };
     let old = [[a, b, c], [b, a, d]];
     let new = [[a, d, c], [d, b, c]];
