@@ -117,8 +117,7 @@ fn best_of_rounds(editor: &mut Editor<'_>, sizing: &Sizing, options: &BaseOption
     let mut best: Option<(usize, Checkpoint)> = None;
     let longest_wanted = MOST_STRETCHED * length;
     let most_vertices = MOST_SPLIT.max(SPLIT_TIMES * options.base_vertices).max(2 * editor.n_vertices());
-    let knob = |n: &str, d: usize| std::env::var(n).ok().and_then(|s| s.parse().ok()).unwrap_or(d);
-    for _ in 0..knob("R_ROUNDS", options.rounds) {
+    for _ in 0..options.rounds {
         if editor.is_interrupted() {
             return;
         }

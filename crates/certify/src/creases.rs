@@ -75,7 +75,7 @@ fn segment(mesh: &TriMesh, ends: [VertexId; 2]) -> [DVec3; 2] {
 }
 
 /// The angle in degrees by which two sheets bend at their common edge, whichever way each faces; `None` unless there are two.
-fn dihedral(mesh: &TriMesh, sides: &[Side]) -> Option<f64> {
+pub(crate) fn dihedral(mesh: &TriMesh, sides: &[Side]) -> Option<f64> {
     let [a, b] = sides else { return None };
     let cosine = mesh.normal(a.face).dot(mesh.normal(b.face));
     let facing_alike = if a.forward == b.forward { -cosine } else { cosine };
@@ -88,8 +88,8 @@ fn distances(points: &[DVec3], segments: &[[DVec3; 2]], unit: f64) -> Option<Vec
     Some(index.distances(points).into_iter().map(|d| d / unit).collect())
 }
 
-/// Segments as triangles without area, which a surface index takes as what they are.
-fn segment_index(segments: &[[DVec3; 2]]) -> Option<SurfaceIndex> {
+/// Segments as triangles without area, which a surface index takes as what they are; `None` without segments.
+pub(crate) fn segment_index(segments: &[[DVec3; 2]]) -> Option<SurfaceIndex> {
     let positions = segments.iter().flat_map(|&[a, b]| [a, b, b]).collect();
     let faces = (0..segments.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let mesh = TriMesh::new(positions, faces).ok()?;

@@ -3,7 +3,9 @@
 //! Many edges over 40 degrees are none that anybody would call sharp: the noise of a scan, or the horn of a cow in large triangles. An edge
 //! is seen as sharp when the surface also turns between points at some distance on both sides of it, and when it goes on for a while.
 
-use crate::creases::{ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES};
+use crate::creases::{ORIGINAL_CREASE_DEGREES, REMESHED_CREASE_DEGREES, dihedral, segment_index};
+use crate::edges::{Edges, Side};
+use crate::union_find::UnionFind;
 use glam::DVec3;
 use mesh_core::{FaceId, Id as _, SurfaceIndex, TriMesh, VertexId};
 use rayon::prelude::*;
@@ -125,23 +127,11 @@ impl Crease {
 
 /// The edges of two faces whose angle is greater, whichever way the faces look.
 fn creases(mesh: &TriMesh, degrees: f64) -> Vec<Crease> {
-    let mut sides = Vec::with_capacity(3 * mesh.n_faces());
-    for (face, corners) in mesh.faces().enumerate() {
-        for i in 0..3 {
-            let (a, b) = (corners[i], corners[(i + 1) % 3]);
-            sides.push((a.min(b), a.max(b), face, a < b));
-        }
-    }
-    sides.sort_unstable();
-    let mut creases = Vec::new();
-    for edge in sides.chunk_by(|s, t| (s.0, s.1) == (t.0, t.1)) {
-        let [(a, b, f, forward), (.., g, other_forward)] = *edge else { continue };
-        let cosine = mesh.normal(f).dot(mesh.normal(g)) * if forward == other_forward { -1.0 } else { 1.0 };
-        if cosine.clamp(-1.0, 1.0).acos().to_degrees() > degrees {
-            creases.push(Crease { ends: [a, b], faces: [f, g] });
-        }
-    }
-    creases
+    let crease = |sides: &[Side]| match *sides {
+        [one, other] if dihedral(mesh, sides)? > degrees => Some(Crease { ends: one.ends, faces: [one.face, other.face] }),
+        _ => None,
+    };
+    Edges::of(mesh.faces()).iter().filter_map(crease).collect()
 }
 
 /// The segments of the edges that a person sees as sharp.
@@ -158,12 +148,13 @@ fn seen(mesh: &TriMesh, reach: f64, least_length: f64) -> Vec<[DVec3; 2]> {
     let turning: Vec<bool> = creases.par_iter().map(turns).collect();
     let mut turning = turning.into_iter();
     creases.retain(|_| turning.next() == Some(true));
-    let run_of = runs(&creases, mesh.n_vertices());
+    let mut runs = UnionFind::new(mesh.n_vertices());
+    creases.iter().for_each(|crease| runs.join(crease.ends[0].index(), crease.ends[1].index()));
     let mut length = vec![0.0; mesh.n_vertices()];
     for crease in &creases {
-        length[run_of[crease.ends[0].index()]] += mesh.distance(crease.ends[0], crease.ends[1]);
+        length[runs.find(crease.ends[0].index())] += mesh.distance(crease.ends[0], crease.ends[1]);
     }
-    creases.retain(|crease| length[run_of[crease.ends[0].index()]] >= least_length);
+    creases.retain(|crease| length[runs.find(crease.ends[0].index())] >= least_length);
     creases.iter().map(|crease| crease.segment(mesh)).collect()
 }
 
@@ -183,23 +174,6 @@ fn normal_beside(mesh: &TriMesh, index: &SurfaceIndex, crease: &Crease, face: Fa
     sum.normalize_or_zero()
 }
 
-/// For every vertex one that stands for all that it is joined with by creases.
-fn runs(creases: &[Crease], n_vertices: usize) -> Vec<usize> {
-    fn root(parent: &mut [usize], mut v: usize) -> usize {
-        while parent[v] != v {
-            parent[v] = parent[parent[v]];
-            v = parent[v];
-        }
-        v
-    }
-    let mut parent: Vec<usize> = (0..n_vertices).collect();
-    for crease in creases {
-        let [a, b] = crease.ends.map(|v| root(&mut parent, v.index()));
-        parent[a.max(b)] = a.min(b);
-    }
-    (0..n_vertices).map(|v| root(&mut parent, v)).collect()
-}
-
 /// Points at equal distances along all segments.
 fn points_along(segments: &[[DVec3; 2]]) -> Vec<DVec3> {
     let step = total_length(segments) / SAMPLES as f64;
@@ -213,14 +187,6 @@ fn points_along(segments: &[[DVec3; 2]]) -> Vec<DVec3> {
         next -= length;
     }
     points
-}
-
-/// Segments as triangles without area, which a surface index takes as what they are; `None` without segments.
-fn segment_index(segments: &[[DVec3; 2]]) -> Option<SurfaceIndex> {
-    let positions = segments.iter().flat_map(|&[a, b]| [a, b, b]).collect();
-    let faces = (0..segments.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let mesh = TriMesh::new(positions, faces).ok()?;
-    (!segments.is_empty()).then(|| SurfaceIndex::new(&mesh))
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! Exact weld: vertices at one position become one.
 
 use crate::edges::Edges;
-use glam::DVec3;
-use mesh_core::{IdVec, TriMesh, VertexId};
+use mesh_core::{IdVec, TriMesh, VertexId, place};
 use rustc_hash::FxHashMap;
 
 /// A mesh connected by position, and its edges.
@@ -47,7 +46,7 @@ impl Welded {
 fn first_at_position(mesh: &TriMesh) -> IdVec<VertexId, VertexId> {
     let mut at: FxHashMap<[u64; 3], VertexId> = FxHashMap::default();
     at.reserve(mesh.n_vertices());
-    mesh.positions().enumerate().map(|(v, &p)| *at.entry(bits(p)).or_insert(v)).collect()
+    mesh.positions().enumerate().map(|(v, &p)| *at.entry(place(p)).or_insert(v)).collect()
 }
 
 /// The mesh with vertices at the same position made one, faces that lose a corner by it dropped, and only vertices that faces
@@ -77,14 +76,10 @@ fn weld_by(mesh: &TriMesh, first: &IdVec<VertexId, VertexId>) -> TriMesh {
     TriMesh::new(positions, faces).expect("corners are distinct and positions are those of a checked mesh")
 }
 
-/// The bits of a position, with -0 as 0.
-fn bits(p: DVec3) -> [u64; 3] {
-    (p + DVec3::ZERO).to_array().map(f64::to_bits)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn two_sheets_of_one_square_are_joined() {

@@ -4,7 +4,7 @@
 //! cuts a one-sided surface. Arcs and corners in the same places keep together what touches.
 
 use crate::options::{FeatureError, check_same_mesh};
-use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
+use mesh_core::{EdgeId, IdVec, Place, Topology, TriMesh, VertexId, place};
 use region_map::Network;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -13,8 +13,6 @@ pub fn touching_edges(mesh: &TriMesh, topology: &Topology) -> Result<Vec<[Vertex
     check_same_mesh(mesh, topology)?;
     Ok(Touching::find(mesh, topology).lines().map(|e| topology.ends(e)).collect())
 }
-
-type Place = [u64; 3];
 
 /// Vertices and edges that share their places with others.
 pub(crate) struct Touching<'a> {
@@ -29,14 +27,15 @@ impl<'a> Touching<'a> {
     /// Of a mesh. Where whole faces lie on each other (double walls) nothing touches along a line.
     pub(crate) fn find(mesh: &'a TriMesh, topology: &'a Topology) -> Self {
         let used = mesh.positions().ids().filter(|&v| topology.fan(v).next().is_some());
-        let mut by_place: FxHashMap<Place, Vec<VertexId>> = FxHashMap::default();
-        used.for_each(|v| by_place.entry(place(mesh, v)).or_default().push(v));
-        let mut groups: Vec<Vec<VertexId>> = by_place.into_values().filter(|group| group.len() > 1).collect();
+        let mut by_place: Vec<(Place, VertexId)> = used.map(|v| (place(mesh.position(v)), v)).collect();
+        by_place.sort_unstable();
+        let same_place = by_place.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1);
+        let mut groups: Vec<Vec<VertexId>> = same_place.map(|group| group.iter().map(|(_, v)| *v).collect()).collect();
         groups.sort_unstable();
         let shares_place: FxHashSet<VertexId> = groups.iter().flatten().copied().collect();
         let mut edges: FxHashMap<[Place; 2], Vec<EdgeId>> = FxHashMap::default();
         for e in topology.edge_ids().filter(|&e| topology.ends(e).iter().all(|v| shares_place.contains(v))) {
-            edges.entry(rising(topology.ends(e).map(|v| place(mesh, v)))).or_default().push(e);
+            edges.entry(rising(topology.ends(e).map(|v| place(mesh.position(v))))).or_default().push(e);
         }
         let mut is_line = IdVec::filled(false, topology.n_edges());
         for edge in edges.into_values().filter(|edges| edges.len() > 1).filter(|edges| share_no_face(mesh, topology, edges)) {
@@ -70,8 +69,8 @@ impl<'a> Touching<'a> {
         }
         let network = traced(is_corner)?;
         for arc in network.arcs.iter().filter(|arc| arc.is_loop() && self.is_line[self.topology.edge(arc.halfedges[0])]) {
-            let first = arc.vertices.iter().map(|&v| place(self.mesh, v)).min();
-            let here = self.groups.iter().find(|group| Some(place(self.mesh, group[0])) == first);
+            let first = arc.vertices.iter().map(|&v| place(self.mesh.position(v))).min();
+            let here = self.groups.iter().find(|group| Some(place(self.mesh.position(group[0]))) == first);
             here.into_iter().flatten().for_each(|&v| is_corner[v] = true);
         }
         Ok(())
@@ -85,16 +84,10 @@ impl<'a> Touching<'a> {
     /// Do no two of some vertices in one place have neighbours in one place?
     fn share_no_edge(&self, group: &[VertexId]) -> bool {
         let around = group.iter().flat_map(|&v| self.topology.one_ring(v));
-        let mut around: Vec<Place> = around.map(|w| place(self.mesh, w)).collect();
+        let mut around: Vec<Place> = around.map(|w| place(self.mesh.position(w))).collect();
         around.sort_unstable();
         around.windows(2).all(|pair| pair[0] != pair[1])
     }
-}
-
-/// The bits of a position: what touches has them all in common.
-fn place(mesh: &TriMesh, v: VertexId) -> Place {
-    // 0 and -0 are one place.
-    mesh.position(v).to_array().map(|x| (x + 0.0).to_bits())
 }
 
 fn rising([a, b]: [Place; 2]) -> [Place; 2] {
@@ -107,7 +100,7 @@ fn share_no_face(mesh: &TriMesh, topology: &Topology, edges: &[EdgeId]) -> bool 
         let (f, g) = topology.edge_faces(e);
         [Some(f), g].into_iter().flatten()
     });
-    let mut corners: Vec<[Place; 3]> = faces.map(|f| mesh.face(f).map(|v| place(mesh, v))).collect();
+    let mut corners: Vec<[Place; 3]> = faces.map(|f| mesh.face(f).map(|v| place(mesh.position(v)))).collect();
     corners.iter_mut().for_each(|face| face.sort_unstable());
     corners.sort_unstable();
     corners.windows(2).all(|pair| pair[0] != pair[1])

@@ -55,10 +55,11 @@ pub fn walk(
     let (walker, stopped) = surface.last(start, displacement);
     let [x, y] = axes(surface.corners(walker.halfedge));
     let direction = (walker.way.x * x + walker.way.y * y).normalize_or_zero();
-    Walked { end: walker.point(), direction, stopped }
+    let end = surface.end_in_face(start, displacement).unwrap_or_else(|| walker.point());
+    Walked { end, direction, stopped }
 }
 
-/// Where a [`walk`] ends, to rounding, in less time: nothing else is worked out.
+/// Where a [`walk`] ends, in less time: nothing else is worked out.
 pub fn walk_end(
     mesh: &TriMesh,
     topology: &Topology,

@@ -15,7 +15,7 @@ const FLIP_PASSES: usize = 6;
 
 /// Flips and moves until neither gains much.
 pub(crate) fn settle(editor: &mut Editor<'_>) {
-    for _ in 0..std::env::var("R_MOVES").ok().and_then(|s| s.parse().ok()).unwrap_or(MOVES) {
+    for _ in 0..MOVES {
         flip_edges(editor);
         for v in editor.vertices() {
             if editor.is_interrupted() {

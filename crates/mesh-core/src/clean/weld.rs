@@ -2,7 +2,7 @@
 
 use super::editable_mesh::EditableMesh;
 use super::report::CleanReport;
-use crate::{IdVec, Soup, VertexId};
+use crate::{IdVec, Place, Soup, VertexId, place};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
@@ -42,11 +42,11 @@ pub(crate) fn is_usable(p: DVec3) -> bool {
 
 /// For every vertex the first one at exactly the same position (0 and -0 are the same, what is not usable stays alone).
 pub(crate) fn merge_equal(positions: &[DVec3]) -> Vec<u32> {
-    let mut first: FxHashMap<[u64; 3], u32> = FxHashMap::default();
+    let mut first: FxHashMap<Place, u32> = FxHashMap::default();
     first.reserve(positions.len());
     let merge = |(i, p): (usize, &DVec3)| {
         let i = i as u32;
-        if is_usable(*p) { *first.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert(i) } else { i }
+        if is_usable(*p) { *first.entry(place(*p)).or_insert(i) } else { i }
     };
     positions.iter().enumerate().map(merge).collect()
 }

@@ -5,7 +5,7 @@ use crate::candidate::Candidate;
 use crate::{Error, Options};
 use certify::{Reference, faulty_faces};
 use glam::DVec3;
-use mesh_core::{IdVec, VertexId};
+use mesh_core::{IdVec, Place, VertexId, place};
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, RegionMap, Surface};
 use relax::{RelaxError, RelaxOptions, Relaxed};
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,11 +25,9 @@ struct Side {
 
 /// The arcs of a surface that lie in one place, group by group.
 fn groups(surface: &Surface) -> Vec<Vec<Side>> {
-    let mut by_place: BTreeMap<Vec<[u64; 3]>, Vec<Side>> = BTreeMap::new();
+    let mut by_place: BTreeMap<Vec<Place>, Vec<Side>> = BTreeMap::new();
     for (arc, a) in surface.network().arcs.enumerate().filter(|(_, a)| !a.is_loop()) {
-        // 0 and -0 are one place.
-        let places = a.vertices.iter().map(|&v| surface.mesh().position(v).to_array().map(|x| (x + 0.0).to_bits()));
-        let forth: Vec<_> = places.collect();
+        let forth: Vec<Place> = a.vertices.iter().map(|&v| place(surface.mesh().position(v))).collect();
         let back: Vec<_> = forth.iter().rev().copied().collect();
         let runs_back = back < forth;
         by_place.entry(if runs_back { back } else { forth }).or_default().push(Side { arc, runs_back });
@@ -93,8 +91,9 @@ pub(crate) fn joined(input: &Reference, before: Candidate, options: &RelaxOption
     }
     let Domain { mesh, topology, region } = &before.relaxed.domain;
     let (mut region, mut positions, mut held) = (region.clone(), mesh.positions().clone(), Vec::new());
+    let attached = Attached::new(&region);
     for sides in &groups {
-        let chains: Vec<_> = sides.iter().map(|side| chain(&before.surface, side, &before.relaxed.domain.region)).collect();
+        let chains: Vec<_> = sides.iter().map(|side| attached.chain(&before.surface, side)).collect();
         for (side, chain) in sides.iter().zip(&chains).filter(|(_, chain)| chain.len() == chains[0].len()) {
             follow(&before.surface, side, chain, &chains[0], &mut region, &mut positions);
             held.extend(chain.iter().map(|(_, v)| *v));
@@ -117,22 +116,38 @@ pub(crate) fn joined(input: &Reference, before: Candidate, options: &RelaxOption
     Ok(Candidate { relaxed: Relaxed { domain, report, ..relaxed }, faults, ..before })
 }
 
-/// The vertices along an arc with their arc lengths from where the first one of its group begins, both ends with them.
-fn chain(surface: &Surface, side: &Side, region: &RegionMap) -> Vec<(f64, VertexId)> {
-    let arc = &surface.network().arcs[side.arc];
-    let on_arc = |v: VertexId| match region.attachments[v] {
-        Attachment::Arc { arc, t } if arc == side.arc => Some((t, v)),
-        _ => None,
-    };
-    let at_corner = |c: CornerId| region.vertices().find(|&v| region.attachments[v] == Attachment::Corner(c));
-    let ends = arc.corners.into_iter().flatten().zip([0.0, arc.length()]);
-    let mut chain: Vec<_> = ends.filter_map(|(c, t)| Some((t, at_corner(c)?))).collect();
-    chain.extend(region.vertices().filter_map(on_arc));
-    if side.runs_back {
-        chain.iter_mut().for_each(|(t, _)| *t = arc.length() - *t);
+/// The domain vertices at corners and on arcs.
+struct Attached {
+    at_corner: BTreeMap<CornerId, VertexId>,
+    /// With their arc lengths, in the order of the vertices.
+    on_arc: BTreeMap<ArcId, Vec<(f64, VertexId)>>,
+}
+
+impl Attached {
+    fn new(region: &RegionMap) -> Self {
+        let mut attached = Self { at_corner: BTreeMap::new(), on_arc: BTreeMap::new() };
+        for (v, attachment) in region.attachments.enumerate() {
+            match *attachment {
+                Attachment::Corner(c) => drop(attached.at_corner.insert(c, v)),
+                Attachment::Arc { arc, t } => attached.on_arc.entry(arc).or_default().push((t, v)),
+                Attachment::Sheet(_) => {}
+            }
+        }
+        attached
     }
-    chain.sort_by(|a, b| a.0.total_cmp(&b.0));
-    chain
+
+    /// The vertices along an arc with their arc lengths from where the first one of its group begins, both ends with them.
+    fn chain(&self, surface: &Surface, side: &Side) -> Vec<(f64, VertexId)> {
+        let arc = &surface.network().arcs[side.arc];
+        let ends = arc.corners.into_iter().flatten().zip([0.0, arc.length()]);
+        let mut chain: Vec<_> = ends.filter_map(|(c, t)| Some((t, *self.at_corner.get(&c)?))).collect();
+        chain.extend(self.on_arc.get(&side.arc).into_iter().flatten());
+        if side.runs_back {
+            chain.iter_mut().for_each(|(t, _)| *t = arc.length() - *t);
+        }
+        chain.sort_by(|a, b| a.0.total_cmp(&b.0));
+        chain
+    }
 }
 
 /// Puts the inner vertices of a chain where the first one of its group has its own.
