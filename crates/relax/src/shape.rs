@@ -74,6 +74,12 @@ pub(crate) fn optimise_shape(
     (optimiser.now, untangling + smoothing)
 }
 
+/// The triangles that are inverted or nearly so, against what is around them.
+pub(crate) fn entangled(domain: &MovableDomain, measured: &Measured) -> Vec<FaceId> {
+    let scales = local_areas(domain, measured.placement());
+    domain.topology.faces().ids().filter(|&f| measured.faces()[f].signed_area < SOUND_AREA * scales[f.index()]).collect()
+}
+
 /// The areas wanted of all faces of a domain: the means over their sheets.
 pub(crate) fn sheet_targets(domain: &MovableDomain, sheets: &IdVec<FaceId, SheetId>, start: &Placement) -> IdVec<FaceId, f64> {
     let means = sheet_means(domain, sheets, start);

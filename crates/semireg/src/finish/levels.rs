@@ -1,10 +1,11 @@
 //! The levels of a base mesh, each placed on the surface and relaxed from the one before.
 
-use crate::base::Base;
+use crate::base::BaseStages;
+use crate::input::Input;
 use crate::rescue::NextStage;
 use crate::run::Run;
 use crate::{Error, Options};
-use mesh_core::TriMesh;
+use mesh_core::equilateral_edge_length;
 use project::{Origins, Projected};
 use region_map::Surface;
 use relax::{QuadricOptions, RelaxOptions, Relaxed, ShapeOptions};
@@ -30,34 +31,48 @@ pub(super) fn again(options: &RelaxOptions) -> RelaxOptions {
     }
 }
 
-/// Subdivides, projects and relaxes level by level: the first one by the map of the base mesh, each further one from the relaxed one before.
+/// Subdivides, projects and relaxes level by level: the first one by the map of the base mesh, each further one from the relaxed one before. Where
+/// there is a proxy, all levels but the finest are relaxed on it.
 ///
-/// `kept` is the mesh of which no part may get lost. Fails early where too much is folded.
-pub(super) fn relaxed_levels(
-    surface: &Surface,
-    base: &Base,
-    kept: &TriMesh,
-    base_edge_length: f64,
-    options: &Options,
-    run: &mut Run,
-) -> Result<Finest, Error> {
+/// Fails early where too much is folded.
+pub(super) fn relaxed_levels(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Finest, Error> {
+    let (base, mut proxy) = (&stages.base, stages.proxy.as_deref());
+    let mut surface = stages.base_surface();
     let shows_the_shape = |level: &u32| base.mesh().n_faces() << (2 * level) >= FIRST_FACES;
     let first = (1..options.levels).find(shows_the_shape).unwrap_or(options.levels);
     let first = run.stage("subdivide", || subdiv::subdivide(base.domain(), first))?;
     let origins = base.mapped().map(|base| Origins { base, points: &first.origins });
     let mut projected = run.stage("project", || project::project(surface, &first.domain, origins, &options.project))?;
-    let mut relax_options = options.relax.clone();
-    let mut level = first.level;
-    loop {
-        let n_triangles = projected.domain.mesh.n_faces();
-        NextStage::Relax.is_worth(relax::inverted(surface, &projected.domain)?.len(), n_triangles)?;
-        let relax = || relax::relax_keeping(surface, &projected.domain, kept, base_edge_length, &relax_options);
-        let relaxed = run.stage("relax", relax)?;
-        if level == options.levels {
-            return Ok(Finest { projected, relaxed });
+    is_worth_relaxing(surface, &projected)?;
+    let kept = proxy.map_or(&input.cleaned.mesh, |proxy| proxy.surface.mesh());
+    let base_edge_length = equilateral_edge_length(input.cleaned.mesh.total_area(), base.mesh().n_vertices());
+    // Parts get lost where vertices still move far. On further levels they start near their ends.
+    let relax = || relax::relax_keeping(surface, &projected.domain, kept, base_edge_length, &options.relax);
+    let mut relaxed = run.stage("relax", relax)?;
+    let again = again(&options.relax);
+    for level in first.level..options.levels {
+        if let Some(proxy) = proxy.take_if(|_| level + 1 == options.levels) {
+            relaxed.domain = run.stage("project", || proxy.carried(&relaxed.domain, &stages.surface))?;
+            surface = &stages.surface;
         }
         let finer = run.stage("subdivide", || subdiv::subdivide(&relaxed.domain, 1))?;
         projected = run.stage("project", || project::project_refined(surface, &relaxed.domain, &finer.domain))?;
-        (relax_options, level) = (again(&options.relax), level + 1);
+        is_worth_relaxing(surface, &projected)?;
+        relaxed = then(relaxed, run.stage("relax", || relax::relax(surface, &projected.domain, &again))?);
     }
+    if let Some(proxy) = proxy {
+        let there = run.stage("project", || proxy.carried(&relaxed.domain, &stages.surface))?;
+        relaxed = then(relaxed, run.stage("relax", || relax::relax(&stages.surface, &there, &again))?);
+    }
+    Ok(Finest { projected, relaxed })
+}
+
+fn is_worth_relaxing(surface: &Surface, projected: &Projected) -> Result<(), Error> {
+    let n_triangles = projected.domain.mesh.n_faces();
+    NextStage::Relax.is_worth(relax::inverted(surface, &projected.domain)?.len(), n_triangles)
+}
+
+/// A relaxation that went on from another one, with the report of both.
+fn then(before: Relaxed, after: Relaxed) -> Relaxed {
+    Relaxed { report: before.report.then(after.report), ..after }
 }

@@ -1,6 +1,6 @@
 //! The finest level of a base mesh, placed on the surface and relaxed there.
 
-use super::levels::{Finest, again, relaxed_levels};
+use super::levels::{Finest, relaxed_levels};
 use crate::base::BaseStages;
 use crate::candidate::Candidate;
 use crate::input::Input;
@@ -9,9 +9,8 @@ use crate::rescue::NextStage;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::faulty_faces;
-use mesh_core::{TriMesh, equilateral_edge_length};
+use mesh_core::TriMesh;
 use project::ProjectReport;
-use relax::Relaxed;
 
 /// The finest level of a base mesh, relaxed, and what led to it.
 pub(super) struct Placed {
@@ -27,24 +26,16 @@ pub(super) struct Placed {
 
 /// Subdivides a base mesh, projects and relaxes its finest level. Fails early where too much of it is folded.
 pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Placed, Error> {
-    let BaseStages { surface, proxy, base, .. } = stages;
-    let base_surface = stages.base_surface();
+    let BaseStages { surface, base, .. } = stages;
     let subdivided = run.stage("subdivide", || subdiv::subdivide(base.domain(), options.levels))?;
-    let base_edge_length = equilateral_edge_length(input.cleaned.mesh.total_area(), base.mesh().n_vertices());
-    let kept = proxy.as_ref().map_or(&input.cleaned.mesh, |proxy| proxy.surface.mesh());
-    let Finest { projected, mut relaxed } = relaxed_levels(base_surface, base, kept, base_edge_length, options, run)?;
+    let Finest { projected, relaxed } = relaxed_levels(input, stages, options, run)?;
     let n_triangles = relaxed.domain.mesh.n_faces();
-    if let Some(proxy) = proxy {
-        let there = run.stage("project", || proxy.carried(&relaxed.domain, surface))?;
-        let on_surface = run.stage("relax", || relax::relax(surface, &there, &again(&options.relax)))?;
-        relaxed = Relaxed { report: relaxed.report.then(on_surface.report), ..on_surface };
-    }
     NextStage::Mend.is_worth(relaxed.inverted.len(), n_triangles)?;
     let faults = faulty_faces(&input.reference, &relaxed.domain.mesh);
     let candidate = Candidate {
         base: base.clone(),
         counts: stages.counts.clone(),
-        base_surface: base_surface.clone(),
+        base_surface: stages.base_surface().clone(),
         surface: surface.clone(),
         relaxed,
         faults,
