@@ -23,7 +23,7 @@ def load(path):
     lines = [line.split() for line in open(path)]
     if path.endswith(".obj"):
         vertices = [w[1:4] for w in lines if w[:1] == ["v"]]
-        return np.array(vertices, float), np.array([w[1:4] for w in lines if w[:1] == ["f"]], int) - 1
+        return np.array(vertices, float), np.array([[c.split("/")[0] for c in w[1:4]] for w in lines if w[:1] == ["f"]], int) - 1
     if path.endswith(".off"):
         n_vertices, n_faces = int(lines[1][0]), int(lines[1][1])
         body = lines[2:]

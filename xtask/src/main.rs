@@ -4,6 +4,7 @@ mod ablation;
 mod bench;
 mod ci;
 mod cost;
+mod gallery;
 mod markdown;
 mod models;
 mod paper;
@@ -13,6 +14,7 @@ mod regress;
 mod remesher;
 mod results;
 mod tidy;
+mod torture;
 
 use clap::{Parser, Subcommand};
 use std::path::{Path, PathBuf};
@@ -46,6 +48,10 @@ enum Chore {
     Cost(cost::Args),
     /// Remesh the paper's models by its pipeline as it is printed and by our default, and write the tables of docs/paper.md
     Paper(paper::Args),
+    /// Remesh the fixtures at the defaults, and write the pictures and the table of docs/gallery.md
+    Gallery(gallery::Args),
+    /// Remesh random solids at the defaults, and tell the share that is right and the causes of the others, with their seeds
+    Torture(torture::Args),
 }
 
 fn main() -> ExitCode {
@@ -59,6 +65,8 @@ fn main() -> ExitCode {
         Chore::Bench(args) => bench::run(&args),
         Chore::Cost(args) => cost::run(&args),
         Chore::Paper(args) => paper::run(&args),
+        Chore::Gallery(args) => gallery::run(&args),
+        Chore::Torture(args) => torture::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

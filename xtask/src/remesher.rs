@@ -57,11 +57,19 @@ pub(crate) const LIMIT: Duration = Duration::from_secs(300);
 pub(crate) const HEADER: &str =
     "model                     status    asked   made       v     ar    p01   agl  err mean   err max  cover  flip  seconds";
 
+/// The program that is there, or the release binary, built first.
+pub(crate) fn program(given: Option<&Path>) -> Result<PathBuf> {
+    if let Some(binary) = given {
+        return binary.canonicalize().with_context(|| format!("there is no program {}", binary.display()));
+    }
+    must(&mut cargo(&["build", "--release", "-p", "cli"]))?;
+    Ok(target_directory()?.join("release/semireg"))
+}
+
 impl Remesher {
     /// The release binary, built first; its results go into a folder of this name under the target folder.
     pub(crate) fn build(folder: &str, limit: Duration) -> Result<Self> {
-        must(&mut cargo(&["build", "--release", "-p", "cli"]))?;
-        Self::of(&target_directory()?.join("release/semireg"), folder, limit)
+        Self::of(&program(None)?, folder, limit)
     }
 
     /// A binary that is there; its results go into a folder of this name under the target folder.

@@ -28,7 +28,7 @@ const BASIS: &[&str] = &["mesh-core", "region-map"];
 fn may_see(name: &str) -> Option<Vec<&'static str>> {
     match name {
         "mesh-core" | "conjugate-gradients" | "xtask" => Some(vec![]),
-        "mesh-io" | "region-map" | "certify" | "fixtures" => Some(vec!["mesh-core"]),
+        "mesh-io" | "attributes" | "region-map" | "certify" | "correspondence" | "fixtures" => Some(vec!["mesh-core"]),
         "view" => Some(BASIS.to_vec()),
         // The stages that solve systems with unknowns at vertices.
         "relax" | "fit" => Some([BASIS, &["conjugate-gradients"]].concat()),
@@ -38,10 +38,10 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
         // It rates edits of a base mesh by how well its subdivision relaxes.
         "reconnect" => Some([BASIS, &["relax"]].concat()),
         stage if STAGES.contains(&stage) => Some(BASIS.to_vec()),
-        "semireg" => Some([BASIS, STAGES, &["certify"]].concat()),
+        "semireg" => Some([BASIS, STAGES, &["certify", "correspondence"]].concat()),
         // For the property tests of the stages only.
         "odd-arguments" => Some([BASIS, &["fixtures"]].concat()),
-        "cli" => Some([BASIS, &["mesh-io", "features", "certify", "view", "semireg"]].concat()),
+        "cli" => Some([BASIS, &["mesh-io", "attributes", "features", "certify", "view", "semireg"]].concat()),
         _ => None,
     }
 }
@@ -49,20 +49,23 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
 /// Foreign crates that only some of ours may use, in any role.
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("obvhs", &["mesh-core"]),
-    ("spade", &["basemesh"]),
+    ("spade", &["basemesh", "fixtures"]),
     ("flate2", &["mesh-io"]),
     ("gltf", &["mesh-io"]),
     ("gltf-json", &["mesh-io"]),
     ("ply-rs-bw", &["mesh-io"]),
+    ("rawzip", &["mesh-io"]),
     ("stl_io", &["mesh-io"]),
     ("tobj", &["mesh-io"]),
     ("png", &["view"]),
     ("anyhow", &["cli", "xtask"]),
     ("clap", &["cli", "xtask"]),
     ("ctrlc", &["cli"]),
+    ("fs4", &["cli"]),
     ("indicatif", &["cli"]),
     ("serde", &["cli", "xtask"]),
-    ("serde_json", &["cli", "xtask"]),
+    ("serde_json", &["cli", "mesh-io", "xtask"]),
+    ("sysinfo", &["cli"]),
     ("nix", &["xtask"]),
     ("proc-macro2", &["xtask"]),
     ("syn", &["xtask"]),
