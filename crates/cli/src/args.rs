@@ -1,8 +1,14 @@
 //! The command line as the user types it.
 
+use crate::kept::{FeaturesArg, KeepArg};
+use crate::number::{amount, base_vertices, degrees, levels, seed, threads, variants};
+use crate::paper_args::PaperArgs;
+use crate::shard::Shard;
+use crate::stream::is_stream;
+use crate::stream_args::{FormatArg, InputStreamArgs, StreamArgs};
+use crate::talk::Talk;
 use clap::{Parser, Subcommand};
-use semireg::{Method, Options, PaperOptions, Weights};
-use std::ops::RangeInclusive;
+use semireg::{FaceOrder, Method, Options, PaperOptions};
 use std::path::PathBuf;
 
 /// Semi-regular remeshing of triangle meshes: few base triangles, split 1-to-4 again and again, with the creases kept.
@@ -17,6 +23,8 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     /// Remesh INPUT and write the certified result to OUTPUT
     Remesh(RemeshArgs),
+    /// Remesh many files, each in a process of its own, with a line for each in OUT/results.jsonl
+    Batch(BatchArgs),
     /// Make the base mesh of INPUT, before any subdivision, and write it to BASE
     Base(BaseArgs),
     /// Draw what every stage up to the base mesh makes of INPUT
@@ -33,75 +41,121 @@ pub(crate) enum Command {
 pub(crate) struct RemeshArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
-    /// Where the result goes; the extension says in which format
+    /// Where the result goes; the extension says in which format. `-` for standard output
     #[arg(short, long)]
     pub(crate) output: PathBuf,
-    /// How often every base triangle is split in four
-    #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
-    pub(crate) levels: u32,
-    /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
-    #[arg(long)]
-    pub(crate) no_fit: bool,
+    #[command(flatten)]
+    pub(crate) streams: StreamArgs,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) outputs: OutputArgs,
     /// A base mesh of your own to subdivide, in any format: a manifold of the input's topology, near its surface
     #[arg(long, value_name = "FILE", conflicts_with = "base_vertices")]
     pub(crate) base: Option<PathBuf>,
     /// Leave a picture (PNG) and a coloured mesh (PLY) of every stage in this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) stages: Option<PathBuf>,
+    /// End without a result when standard input ends: so `batch` starts its processes, that none outlives it
+    #[arg(long, hide = true)]
+    pub(crate) end_with_stdin: bool,
+}
+
+/// How a result is made on its base mesh, whatever the input: what `remesh` and `batch` both take.
+#[derive(clap::Args)]
+pub(crate) struct ResultArgs {
+    /// How often every base triangle is split in four
+    #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
+    pub(crate) levels: u32,
+    /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
+    #[arg(long)]
+    pub(crate) no_fit: bool,
+    /// Write positions and triangles alone: no normals, no feature curves, nothing of what the input has beside
+    #[arg(long)]
+    pub(crate) plain: bool,
     #[command(flatten)]
     pub(crate) paper: PaperArgs,
 }
 
-/// What only `--method paper` takes.
-#[derive(clap::Args, Clone, Copy)]
-pub(crate) struct PaperArgs {
-    /// With --method paper: weights of the neighbours in its relaxation [default: uniform]
-    #[arg(long, value_name = "WEIGHTS", value_enum)]
-    pub(crate) relax_weights: Option<WeightsArg>,
-    /// With --method paper: mean quality at which its relaxation stops, 0 to 1 [default: 1, never reached]
-    #[arg(long, value_name = "Q", value_parser = quality, allow_negative_numbers = true)]
-    pub(crate) target_quality: Option<f64>,
-    /// With --method paper: iterations of its relaxation at most; it ends before when nothing is gained [default: 100]
-    #[arg(long, value_name = "N", value_parser = iterations, allow_negative_numbers = true)]
-    pub(crate) relax_iterations: Option<u32>,
+#[derive(clap::Args)]
+#[command(group = clap::ArgGroup::new("files").required(true).multiple(false))]
+pub(crate) struct BatchArgs {
+    /// The meshes, and folders of them, which are searched with all folders inside
+    #[arg(group = "files")]
+    pub(crate) inputs: Vec<PathBuf>,
+    /// A file with the path of a mesh in every line; `-` for standard input
+    #[arg(long, value_name = "FILE", group = "files")]
+    pub(crate) list: Option<PathBuf>,
+    /// The folder for the results, named as the inputs below the folder that holds all of these, and for results.jsonl
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// The format of the results
+    #[arg(long, value_enum, default_value_t = FormatArg::Obj)]
+    pub(crate) format: FormatArg,
+    /// Number of files that are remeshed at the same time [default: one for each processor]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) jobs: Option<u16>,
+    /// Number of threads for each file; results do not depend on it [default: the processors over the jobs]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
+    /// A file that takes longer than this is given up [default: no limit]
+    #[arg(long, value_name = "SECONDS", value_parser = amount, allow_negative_numbers = true)]
+    pub(crate) timeout: Option<f64>,
+    /// A file that takes more memory than this, in GiB, is given up [default: no limit]
+    #[arg(long, value_name = "GIB", value_parser = amount, allow_negative_numbers = true)]
+    pub(crate) memory: Option<f64>,
+    /// Go on with a batch that was ended: files that have a line in results.jsonl are left out
+    #[arg(long, conflicts_with = "force")]
+    pub(crate) resume: bool,
+    /// Begin anew where there is a results.jsonl already, which is lost
+    #[arg(long)]
+    pub(crate) force: bool,
+    /// Part I of N: every N-th file from the I-th on. Its lines go to results-I-of-N.jsonl, so that several machines can share OUT
+    #[arg(long, value_name = "I/N")]
+    pub(crate) shard: Option<Shard>,
+    #[command(flatten)]
+    pub(crate) making: MakingArgs,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) talk: Talk,
 }
 
-impl PaperArgs {
-    /// The first option that was given.
-    pub(crate) fn given(self) -> Option<&'static str> {
-        let options = [
-            ("--relax-weights", self.relax_weights.is_some()),
-            ("--target-quality", self.target_quality.is_some()),
-            ("--relax-iterations", self.relax_iterations.is_some()),
-        ];
-        options.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
-    }
-
-    /// The same for the library.
-    pub(crate) fn options(self) -> PaperOptions {
-        let default = PaperOptions::default();
-        PaperOptions {
-            weights: self.relax_weights.map_or(default.weights, Weights::from),
-            target_quality: self.target_quality.unwrap_or(default.target_quality),
-            iterations: self.relax_iterations.map_or(default.iterations, |n| n as usize),
-        }
-    }
+/// What is written of a result.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub(crate) struct OutputArgs {
+    /// Write level K of the result in the place of the finest: 0 is the base mesh, L the finest
+    #[arg(long, value_name = "K", value_parser = levels, allow_negative_numbers = true, conflicts_with = "all_levels")]
+    pub(crate) level: Option<u32>,
+    /// Write every level, too: beside out.obj the files out.0.obj (the base mesh), out.1.obj and so on; gltf and glb hold all in one file
+    #[arg(long)]
+    pub(crate) all_levels: bool,
+    /// Write where everything of OUTPUT is on the input, and the other way round, to this file, an npz for numpy
+    #[arg(long, value_name = "FILE")]
+    pub(crate) map: Option<PathBuf>,
+    /// Order of the faces of each level [default: children]
+    #[arg(long, value_name = "ORDER", value_enum, default_value_t = OrderArg::Children, hide_default_value = true)]
+    pub(crate) order: OrderArg,
+    /// Make K results on different base meshes, by the seeds from --seed on: out-0.obj, out-1.obj and so on, numbered by seed
+    #[arg(long, value_name = "K", value_parser = variants, allow_negative_numbers = true, conflicts_with_all = ["base", "stages"])]
+    pub(crate) variants: Option<u32>,
 }
 
-/// Weights of the neighbours.
-#[derive(clap::ValueEnum, Clone, Copy)]
-pub(crate) enum WeightsArg {
-    /// All alike
-    Uniform,
-    /// More at vertices of many triangles, less at those of few, smooth between them
-    Adaptive,
+/// Order of the faces of a level.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, Default)]
+pub(crate) enum OrderArg {
+    /// The children of face f are 4f to 4f + 3
+    #[default]
+    Children,
+    /// Of 4F faces, the children of face f are f, f + F, f + 2F and f + 3F, as SubdivNet pools
+    Subdivnet,
 }
 
-impl From<WeightsArg> for Weights {
-    fn from(weights: WeightsArg) -> Self {
-        match weights {
-            WeightsArg::Uniform => Self::Uniform,
-            WeightsArg::Adaptive => Self::Adaptive,
+impl From<OrderArg> for FaceOrder {
+    fn from(order: OrderArg) -> Self {
+        match order {
+            OrderArg::Children => Self::Children,
+            OrderArg::Subdivnet => Self::SubdivNet,
         }
     }
 }
@@ -110,9 +164,11 @@ impl From<WeightsArg> for Weights {
 pub(crate) struct BaseArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
-    /// Where the base mesh goes; the extension says in which format
+    /// Where the base mesh goes; the extension says in which format. `-` for standard output
     #[arg(short, long, value_name = "BASE")]
     pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) streams: StreamArgs,
 }
 
 #[derive(clap::Args)]
@@ -122,32 +178,20 @@ pub(crate) struct StagesArgs {
     /// The folder for a picture (PNG) and a coloured mesh (PLY) of every stage, and the charts (SVG)
     #[arg(long)]
     pub(crate) dir: PathBuf,
+    #[command(flatten)]
+    pub(crate) stream: InputStreamArgs,
 }
 
 /// What every command takes that makes a base mesh.
 #[derive(clap::Args)]
 pub(crate) struct SourceArgs {
-    /// The mesh to remesh: obj, ply, stl, off, gltf or glb, also compressed (.gz)
+    /// The mesh to remesh: obj, ply, stl, off, gltf or glb, also compressed (.gz). `-` for standard input
     pub(crate) input: PathBuf,
-    /// Wanted number of base vertices [default: three times what corners and curves need, at least 1000 and 1.6 % of the input's, at
-    /// most 2000]
-    #[arg(long, value_name = "N", value_parser = base_vertices, allow_negative_numbers = true)]
-    pub(crate) base_vertices: Option<u32>,
-    /// An edge with at least this angle between its faces, in degrees, is a crease [default: 40]
-    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true)]
-    pub(crate) crease_angle: Option<f64>,
-    /// An edge with at least this angle goes on from the loose end of a crease [default: 25, at most the crease angle]
-    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true)]
-    pub(crate) weak_angle: Option<f64>,
+    #[command(flatten)]
+    pub(crate) making: MakingArgs,
     /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
     #[arg(long, value_name = "FILE")]
     pub(crate) marked_edges: Option<PathBuf>,
-    /// How results are made [default: best]
-    #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArg::Best, hide_default_value = true)]
-    pub(crate) method: MethodArg,
-    /// Seed of all that is chosen at random
-    #[arg(long, value_name = "S", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
-    pub(crate) seed: u64,
     /// Number of threads; the result does not depend on it [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
@@ -156,6 +200,33 @@ pub(crate) struct SourceArgs {
     pub(crate) force: bool,
     #[command(flatten)]
     pub(crate) talk: Talk,
+}
+
+/// How a base mesh is made, whatever the input: what all commands take that make one.
+#[derive(clap::Args)]
+pub(crate) struct MakingArgs {
+    /// Wanted number of base vertices [default: three times what corners and curves need, at least 1000 and 1.6 % of the input's, at
+    /// most 2000]
+    #[arg(long, value_name = "N", value_parser = base_vertices, allow_negative_numbers = true)]
+    pub(crate) base_vertices: Option<u32>,
+    /// An edge with at least this angle between its faces, in degrees, is a crease; 180 finds none [default: 40]
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true)]
+    pub(crate) crease_angle: Option<f64>,
+    /// An edge with at least this angle goes on from the loose end of a crease [default: 25, at most the crease angle]
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true)]
+    pub(crate) weak_angle: Option<f64>,
+    /// What is kept beside borders and marked edges [default: creases]
+    #[arg(long, value_name = "WHICH", value_enum, default_value_t = FeaturesArg::Creases, hide_default_value = true)]
+    pub(crate) features: FeaturesArg,
+    /// Keep the edges where these end, as marked edges
+    #[arg(long, value_name = "WHAT", value_enum, value_delimiter = ',')]
+    pub(crate) keep: Vec<KeepArg>,
+    /// How results are made [default: best]
+    #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArg::Best, hide_default_value = true)]
+    pub(crate) method: MethodArg,
+    /// Seed of all that is chosen at random
+    #[arg(long, value_name = "S", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
 }
 
 /// How results are made.
@@ -182,103 +253,71 @@ impl From<MethodArg> for Method {
     }
 }
 
-/// How much a command says.
-#[derive(clap::Args, Clone, Copy)]
-pub(crate) struct Talk {
-    /// Print one JSON object: the report, or what went wrong
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// Print all figures, and a line for each stage when it begins (on a terminal, a bar shows that anyway)
-    #[arg(short, long, conflicts_with = "quiet")]
-    pub(crate) verbose: bool,
-    /// Print nothing but errors, and what --json prints
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
-}
-
 #[derive(clap::Args)]
 pub(crate) struct InspectArgs {
-    /// The mesh: obj, ply, stl, off, gltf or glb, also compressed (.gz)
+    /// The mesh: obj, ply, stl, off, gltf or glb, also compressed (.gz). `-` for standard input
     pub(crate) input: PathBuf,
+    #[command(flatten)]
+    pub(crate) stream: InputStreamArgs,
     #[command(flatten)]
     pub(crate) talk: Talk,
 }
 
 #[derive(clap::Args)]
 pub(crate) struct CompareArgs {
-    /// The original; lengths are measured by the diagonal of its box
+    /// The original; lengths are measured by the diagonal of its box. `-` for standard input
     pub(crate) a: PathBuf,
-    /// The mesh that stands for it
+    /// The mesh that stands for it. `-` for standard input
     pub(crate) b: PathBuf,
+    #[command(flatten)]
+    pub(crate) stream: InputStreamArgs,
     #[command(flatten)]
     pub(crate) talk: Talk,
 }
 
 #[derive(clap::Args)]
 pub(crate) struct CheckArgs {
-    /// A mesh in a format that keeps the order of vertices: any but stl
+    /// A mesh in a format that keeps the order of vertices: any but stl. `-` for standard input
     pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) stream: InputStreamArgs,
     /// Subdivision levels that it shall have
     #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Triangles without area are told, but no fault: for a base mesh, which is judged by its connectivity
     #[arg(long)]
     pub(crate) connectivity: bool,
+    /// Order in which its faces are [default: children]
+    #[arg(long, value_name = "ORDER", value_enum, default_value_t = OrderArg::Children, hide_default_value = true)]
+    pub(crate) order: OrderArg,
     #[command(flatten)]
     pub(crate) talk: Talk,
 }
 
-fn levels(text: &str) -> Result<u32, String> {
-    whole(text, 0..=8).map(|n| n as u32)
-}
-
-fn base_vertices(text: &str) -> Result<u32, String> {
-    whole(text, 1..=u32::MAX.into()).map(|n| n as u32)
-}
-
-fn threads(text: &str) -> Result<u16, String> {
-    whole(text, 1..=1024).map(|n| n as u16)
-}
-
-fn iterations(text: &str) -> Result<u32, String> {
-    whole(text, 0..=1_000_000).map(|n| n as u32)
-}
-
-fn quality(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(quality) if (0.0..=1.0).contains(&quality) => Ok(quality),
-        _ => Err("a quality from 0 to 1 is needed".to_owned()),
-    }
-}
-
-fn seed(text: &str) -> Result<u64, String> {
-    whole(text, 0..=u64::MAX)
-}
-
-fn whole(text: &str, range: RangeInclusive<u64>) -> Result<u64, String> {
-    let needed = || format!("a whole number from {} to {} is needed", range.start(), range.end());
-    text.parse().ok().filter(|n| range.contains(n)).ok_or_else(needed)
-}
-
-fn degrees(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(angle) if angle > 0.0 && angle < 180.0 => Ok(angle),
-        _ => Err("an angle between 0 and 180 degrees is needed".to_owned()),
-    }
-}
-
 impl Command {
-    /// Whether the user wants JSON.
-    pub(crate) fn json(&self) -> bool {
-        let talk = match self {
-            Self::Remesh(args) => args.source.talk,
-            Self::Base(args) => args.source.talk,
+    /// How much the user wants to hear, and where.
+    pub(crate) fn talk(&self) -> Talk {
+        match self {
+            Self::Remesh(args) => args.talk(),
+            Self::Batch(args) => args.talk,
+            Self::Base(args) => args.talk(),
             Self::Stages(args) => args.source.talk,
             Self::Inspect(args) => args.talk,
             Self::Compare(args) => args.talk,
             Self::Check(args) => args.talk,
-        };
-        talk.json
+        }
+    }
+}
+
+impl RemeshArgs {
+    pub(crate) fn talk(&self) -> Talk {
+        Talk { on_stderr: is_stream(&self.output), ..self.source.talk }
+    }
+}
+
+impl BaseArgs {
+    pub(crate) fn talk(&self) -> Talk {
+        Talk { on_stderr: is_stream(&self.output), ..self.source.talk }
     }
 }
 
@@ -298,11 +337,13 @@ mod tests {
             ("--levels", "-1", "from 0 to 8"),
             ("--levels", "9", "from 0 to 8"),
             ("--base-vertices", "-5", "from 1 to 4294967295"),
+            ("--variants", "0", "from 1 to 1000"),
+            ("--level", "9", "from 0 to 8"),
             ("--threads", "-2", "from 1 to 1024"),
             ("--seed", "-1", "from 0 to"),
             ("--target-quality", "1.5", "from 0 to 1"),
             ("--relax-iterations", "-1", "from 0 to 1000000"),
-            ("--crease-angle", "-10", "between 0 and 180 degrees"),
+            ("--crease-angle", "-10", "at most 180 degrees"),
         ] {
             let said =
                 Args::try_parse_from(["semireg", "remesh", "a.obj", "-o", "b.obj", option, value]).err().unwrap().to_string();

@@ -23,10 +23,11 @@ const ROUND_TRIPS: usize = 1000;
 pub(crate) fn run(plan: &BasePlan) -> anyhow::Result<()> {
     let start = Instant::now();
     let mut meter = Meter::new(plan.talk);
-    let document = mesh_io::read(&plan.input)?;
+    let document = plan.input.read()?;
     let read_seconds = start.elapsed().as_secs_f64();
-    let based = semireg::base_with(&document.soup, &plan.options, &mut |progress| meter.step(progress))
-        .with_context(|| plan.input.display().to_string())?;
+    let options = plan.marks.added_to(&plan.options, &document, &plan.input)?;
+    let based = semireg::base_with(&document.soup, &options, &mut |progress| meter.step(progress))
+        .with_context(|| plan.input.to_string())?;
     let base = based.stages.on_working_mesh()?;
     let mut report = BaseReport::new(plan, &based, &base.mesh)?;
     meter.begin_writing()?;
@@ -34,7 +35,7 @@ pub(crate) fn run(plan: &BasePlan) -> anyhow::Result<()> {
         stages::write_base(folder, &based.stages)?;
     }
     if let Some(output) = &plan.output {
-        mesh_io::write(output, &base.mesh)?;
+        output.write(&base.mesh)?;
     }
     drop(meter);
     report.seconds.add("read", read_seconds);
@@ -72,12 +73,13 @@ impl BaseReport {
         let stages = &based.stages;
         let measures = Reference::new(stages.cleaned.mesh.clone())
             .and_then(|input| certify::measure(&input, base, &MeasureOptions::default()))
-            .with_context(|| format!("cannot measure the base mesh of {}", plan.input.display()))?;
-        let target = plan.output.as_ref().or(plan.stages.as_ref());
+            .with_context(|| format!("cannot measure the base mesh of {}", plan.input))?;
+        let output = plan.output.as_ref().map(ToString::to_string);
+        let folder = plan.stages.as_ref().map(|folder| folder.display().to_string());
         Ok(Self {
             version: env!("CARGO_PKG_VERSION"),
-            input: plan.input.display().to_string(),
-            output: target.map(|path| path.display().to_string()),
+            input: plan.input.to_string(),
+            output: output.or(folder),
             seed: plan.options.seed,
             repairs: Repairs::new(&stages.cleaned.report),
             warnings: stages.warnings.clone(),

@@ -6,6 +6,7 @@ use crate::figures::{Counts, Shape};
 use crate::load;
 use crate::print::{self, Table};
 use certify::{Certificate, MeasureOptions, Reference};
+use semireg::FaceOrder;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -22,13 +23,15 @@ struct Checked {
 
 /// Checks the file by itself: subdivision connectivity, counts, manifold, orientation, degenerate triangles.
 pub(crate) fn run(args: &CheckArgs) -> anyhow::Result<()> {
-    let file = args.file.display().to_string();
-    let raw = load::raw(&args.file)?;
+    let source = args.stream.source(&args.file)?;
+    let file = source.to_string();
+    let load::Raw { mesh, left_out } = load::raw(&source)?;
+    let mesh = FaceOrder::from(args.order).restored(&mesh, args.levels)?;
     // Certified against itself: what is left is what the mesh says of itself, at the price of a distance that is 0.
-    let certificate = Reference::new(raw.mesh.clone())
-        .and_then(|itself| certify::certify(&itself, &raw.mesh, args.levels, &MeasureOptions { samples: 1 }))
+    let certificate = Reference::new(mesh.clone())
+        .and_then(|itself| certify::certify(&itself, &mesh, args.levels, &MeasureOptions { samples: 1 }))
         .map_err(|e| Failure::new(Kind::Empty, format!("cannot check {file}: {e}; give a file with a surface")))?;
-    let checked = report(file, raw.left_out, args.connectivity, &certificate);
+    let checked = report(file, left_out, args.connectivity, &certificate);
     let Some(first) = checked.failures.first() else {
         return print::report(args.talk, &checked, || table(&checked), || table(&checked));
     };

@@ -20,18 +20,19 @@ struct Comparison {
 
 /// Measures B against A, both as they are in their files; connectivity is by position.
 pub(crate) fn run(args: &CompareArgs) -> anyhow::Result<()> {
-    let (a, b) = (load::raw(&args.a)?, load::raw(&args.b)?);
+    let [name_a, name_b] = args.stream.two_sources(&args.a, &args.b)?;
+    let (a, b) = (load::raw(&name_a)?, load::raw(&name_b)?);
     let [original, remeshed] = [&a.mesh, &b.mesh].map(certify::weld);
     let measured = Reference::new(a.mesh).and_then(|a| certify::measure(&a, &b.mesh, &MeasureOptions::default()));
     let measures = measured.map_err(|e| {
-        let message = format!("cannot compare {} with {}: {e}; give files with a surface", args.a.display(), args.b.display());
+        let message = format!("cannot compare {name_a} with {name_b}: {e}; give files with a surface");
         Failure::new(Kind::Empty, message)
     })?;
     let edge = certify::mean_edge(&remeshed);
     let sharp = SharpEdges::new(&original, edge).cover(&remeshed);
     let comparison = Comparison {
-        a: args.a.display().to_string(),
-        b: args.b.display().to_string(),
+        a: name_a.to_string(),
+        b: name_b.to_string(),
         left_out: [a.left_out, b.left_out],
         figures: Figures::new(&measures, |t| t.welded).with_sharp_edges(sharp, edge / original.diagonal()),
     };

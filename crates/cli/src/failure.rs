@@ -1,12 +1,12 @@
 //! Why a command failed: one line for people, an object for programs.
 
 use semireg::Error;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::{self, Display, Formatter};
 use std::io;
 
 /// What a program may want to tell apart. The names are a part of the contract of `--json`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Kind {
     /// A file or folder cannot be read or written.
@@ -31,14 +31,29 @@ pub(crate) enum Kind {
     CheckFailed,
     /// Options are wrong, or do not fit together.
     Usage,
+    /// A file of a batch took longer than it was given.
+    Timeout,
+    /// A file of a batch took more memory than it was given.
+    Memory,
+    /// The process of a file of a batch ended without a report.
+    Crash,
+    /// Some files of a batch did not come out.
+    SomeFailed,
     /// The user ended the run.
     Cancelled,
     /// A fault of ours.
     Internal,
 }
 
+/// The name that it has in JSON.
+impl Display for Kind {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
 /// Why a command failed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Failure {
     /// What is wrong, and where.
     error: String,
@@ -88,6 +103,11 @@ impl Failure {
             joined.hint = with_flags(&joined.hint);
         }
         joined
+    }
+
+    /// What kind of failure it is.
+    pub(crate) fn kind(&self) -> Kind {
+        self.kind
     }
 
     /// The exit code of the program.
@@ -144,12 +164,15 @@ fn of_reading(error: &mesh_io::ReadError) -> Kind {
 }
 
 fn of_writing(error: &mesh_io::WriteError) -> Kind {
-    use mesh_io::WriteError::{ColorCount, Io, NotSinglePrecision, Packed, TooLarge, UnknownFormat};
+    use mesh_io::WriteError::{
+        AttributeCount, ColorCount, Io, NoLevel, NoSuchVertex, NotSinglePrecision, OneLevel, Packed, Points, TooLarge,
+        UnknownFormat,
+    };
     match error {
         Io { .. } => Kind::Io,
-        UnknownFormat { .. } | Packed { .. } | NotSinglePrecision { .. } => Kind::Format,
+        UnknownFormat { .. } | Packed { .. } | NotSinglePrecision { .. } | OneLevel { .. } => Kind::Format,
         TooLarge { .. } => Kind::TooLarge,
-        ColorCount { .. } => Kind::Internal,
+        ColorCount { .. } | AttributeCount { .. } | NoLevel { .. } | NoSuchVertex { .. } | Points(_) => Kind::Internal,
     }
 }
 

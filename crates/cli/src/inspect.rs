@@ -71,10 +71,11 @@ struct Features {
 
 /// Prints counts, defects, features and quality of a file.
 pub(crate) fn run(args: &InspectArgs) -> anyhow::Result<()> {
-    let document = mesh_io::read(&args.input)?;
+    let source = args.stream.source(&args.input)?;
+    let document = source.read()?;
     let cleaned = mesh_core::clean(&document.soup, &CleanOptions::default());
     let inspected = Inspected {
-        input: args.input.display().to_string(),
+        input: source.to_string(),
         counts: counts(&document, mesh_core::inspect(&document.soup)),
         also_holds: document.extras.iter().map(ToString::to_string).collect(),
         repairs: cleaned.as_ref().ok().map(|c| Repairs::new(&c.report).only_made()).unwrap_or_default(),

@@ -1,6 +1,7 @@
 //! Meshes from files, as they are.
 
 use crate::failure::{Failure, Kind};
+use crate::stream::Source;
 use anyhow::Context as _;
 use glam::DVec3;
 use mesh_core::{Soup, TriMesh};
@@ -14,13 +15,13 @@ pub(crate) struct Raw {
     pub(crate) left_out: usize,
 }
 
-/// The mesh of a file without any repair: order and vertices stay.
-pub(crate) fn raw(path: &Path) -> anyhow::Result<Raw> {
-    let Soup { positions, mut triangles } = mesh_io::read(path)?.soup;
+/// A mesh without any repair: order and vertices stay.
+pub(crate) fn raw(source: &Source) -> anyhow::Result<Raw> {
+    let Soup { positions, mut triangles } = source.read()?.soup;
     let read = triangles.len();
     triangles.retain(|&[a, b, c]| a != b && b != c && c != a && [a, b, c].iter().all(|&v| (v as usize) < positions.len()));
     let left_out = read - triangles.len();
-    let mesh = TriMesh::new(positions, triangles).with_context(|| path.display().to_string())?;
+    let mesh = TriMesh::new(positions, triangles).with_context(|| source.to_string())?;
     Ok(Raw { mesh, left_out })
 }
 

@@ -1,17 +1,26 @@
 //! The `semireg` program: see the README for its commands.
 //!
-//! Exit codes: 0 done (and certified), 1 refused or failed with `error: <what, where, what to do>` as the last line on standard
+//! Exit codes: 0 done (and certified), 1 refused or failed (of a batch: some files did) with `error: <what, where, what to do>` as the last line on standard
 //! error, 2 wrong usage, 130 cancelled by the user.
 
 mod args;
 mod base;
+mod batch;
+mod carry;
 mod check;
 mod compare;
 mod failure;
 mod figures;
 mod inspect;
+mod kept;
 mod load;
+mod map_file;
+mod marks;
+mod number;
+mod output;
+mod outputs;
 mod overwrite;
+mod paper_args;
 mod plan;
 mod print;
 mod progress;
@@ -19,12 +28,17 @@ mod remesh;
 mod repairs;
 mod report;
 mod seconds;
+mod shard;
 mod stages;
+mod stream;
+mod stream_args;
+mod talk;
 mod verdict;
 
 use args::{Args, Command};
 use clap::Parser as _;
 use failure::{Failure, Kind};
+use print::Stream;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -34,12 +48,12 @@ fn main() -> ExitCode {
         Ok(args) => args.command,
         Err(e) => return wrong_usage(&e),
     };
-    let json = command.json();
+    let talk = command.talk();
     match guarded(|| run(command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(e) => {
             let failure = Failure::of(e);
-            print::failure(&failure, json);
+            print::failure(&failure, talk);
             ExitCode::from(failure.exit_code())
         }
     }
@@ -48,6 +62,7 @@ fn main() -> ExitCode {
 fn run(command: Command) -> anyhow::Result<()> {
     match command {
         Command::Remesh(args) => remesh::run(&plan::RemeshPlan::new(args)?),
+        Command::Batch(args) => batch::run(&args),
         Command::Base(args) => base::run(&plan::BasePlan::base(args)?),
         Command::Stages(args) => base::run(&plan::BasePlan::stages(args)?),
         Command::Inspect(args) => inspect::run(&args),
@@ -61,7 +76,7 @@ fn wrong_usage(error: &clap::Error) -> ExitCode {
     if error.use_stderr() && std::env::args_os().any(|arg| arg == "--json") {
         let text = error.to_string();
         let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
-        print::json(&Failure::new(Kind::Usage, format!("{first}; see --help"))).ok();
+        print::json(Stream::Output, &Failure::new(Kind::Usage, format!("{first}; see --help"))).ok();
     }
     error.print().ok();
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))

@@ -1,29 +1,45 @@
 //! What the user typed, checked and made ready, before any long work.
 
-use crate::args::{BaseArgs, MethodArg, RemeshArgs, SourceArgs, StagesArgs, Talk};
+use crate::args::{BaseArgs, MakingArgs, MethodArg, RemeshArgs, ResultArgs, SourceArgs, StagesArgs};
 use crate::failure::{Failure, Kind};
+use crate::kept::FeaturesArg;
+use crate::marks::Marks;
+use crate::outputs::Outputs;
+use crate::stream::{Source, Target};
+use crate::talk::Talk;
 use crate::{load, overwrite, stages};
 use anyhow::Context as _;
+use glam::DVec3;
 use semireg::{MAX_TRIANGLES, Method, Options};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 /// A checked `semireg remesh`.
 pub(crate) struct RemeshPlan {
-    pub(crate) input: PathBuf,
-    pub(crate) output: PathBuf,
+    pub(crate) input: Source,
+    pub(crate) outputs: Outputs,
+    /// Whether the user wants several results: then the report has a list of them.
+    pub(crate) is_several: bool,
     /// A base mesh of the user's.
     pub(crate) base: Option<PathBuf>,
     pub(crate) options: Options,
+    /// Edges of the input to keep.
+    pub(crate) marks: Marks,
+    /// Whether the output has positions and triangles alone.
+    pub(crate) plain: bool,
     pub(crate) talk: Talk,
     pub(crate) stages: Option<PathBuf>,
+    /// Whether the run ends with standard input.
+    pub(crate) end_with_stdin: bool,
 }
 
 /// A checked `semireg base` or `semireg stages`.
 pub(crate) struct BasePlan {
-    pub(crate) input: PathBuf,
-    pub(crate) output: Option<PathBuf>,
+    pub(crate) input: Source,
+    pub(crate) output: Option<Target>,
     pub(crate) options: Options,
+    /// Edges of the input to keep.
+    pub(crate) marks: Marks,
     pub(crate) talk: Talk,
     pub(crate) stages: Option<PathBuf>,
 }
@@ -31,42 +47,60 @@ pub(crate) struct BasePlan {
 impl RemeshPlan {
     /// Checks that the result can be written, sets up the threads and takes over the options.
     pub(crate) fn new(args: RemeshArgs) -> anyhow::Result<Self> {
-        check_size(args.source.base_vertices, args.levels)?;
-        check_paper(&args)?;
+        let mut options = remesh_options(&args.source.making, &args.result)?;
+        let (input, output) = args.streams.ends(&args.source.input, &args.output)?;
         let pictures = args.stages.as_deref().map(|folder| stages::files(folder, true)).unwrap_or_default();
-        check_overwrite(&args.source, args.base.as_deref(), &[pictures.as_slice(), std::slice::from_ref(&args.output)].concat())?;
+        let outputs = Outputs::new(&args.outputs, &output, args.result.levels, args.source.making.seed)?;
+        let files = outputs.files();
+        check_overwrite(&args.source, args.base.as_deref(), &[pictures.as_slice(), files.as_slice()].concat())?;
         // First, as the result may go into the same folder.
         args.stages.as_deref().map(|folder| make_folder(folder, "--stages")).transpose()?;
-        check_output(&args.output)?;
-        overwrite::check_distinct(&args.output, &pictures)?;
+        output.file().map(check_output).transpose()?;
+        files.iter().try_for_each(|file| check_place(file))?;
+        files.iter().try_for_each(|file| overwrite::check_distinct(file, &pictures))?;
         start_threads(&args.source)?;
-        let mut options = Options { levels: args.levels, ..source_options(&args.source)? };
-        options.fit = options.fit.filter(|_| !args.no_fit);
-        if let Method::Paper(paper) = &mut options.method {
-            *paper = args.paper.options();
-        }
-        let RemeshArgs { source, output, base, stages, .. } = args;
-        Ok(Self { input: source.input, output, base, options, talk: source.talk, stages })
+        options.marked_edges = marked_edges(&args.source)?;
+        let (talk, marks, is_several) = (args.talk(), Marks::asked(&args.source.making), args.outputs.variants.is_some());
+        let RemeshArgs { base, stages, end_with_stdin, result, .. } = args;
+        Ok(Self { input, outputs, is_several, base, options, marks, plain: result.plain, talk, stages, end_with_stdin })
     }
+}
+
+/// The options of a remeshing, but for those that belong to one input.
+pub(crate) fn remesh_options(making: &MakingArgs, result: &ResultArgs) -> Result<Options, Failure> {
+    check_size(making.base_vertices, result.levels)?;
+    check_paper(making, result)?;
+    let mut options = Options { levels: result.levels, ..base_options(making)? };
+    options.fit = options.fit.filter(|_| !result.no_fit);
+    if let Method::Paper(paper) = &mut options.method {
+        *paper = result.paper.options();
+    }
+    Ok(options)
 }
 
 impl BasePlan {
     /// Checks that the base mesh can be written, sets up the threads and takes over the options.
     pub(crate) fn base(args: BaseArgs) -> anyhow::Result<Self> {
-        check_overwrite(&args.source, None, std::slice::from_ref(&args.output))?;
-        check_output(&args.output)?;
+        let (input, output) = args.streams.ends(&args.source.input, &args.output)?;
+        if let Some(file) = output.file() {
+            check_overwrite(&args.source, None, &[file.to_owned()])?;
+            check_output(file)?;
+        }
         start_threads(&args.source)?;
         let options = source_options(&args.source)?;
-        Ok(Self { input: args.source.input, output: Some(args.output), options, talk: args.source.talk, stages: None })
+        let marks = Marks::asked(&args.source.making);
+        Ok(Self { input, output: Some(output), options, marks, talk: args.talk(), stages: None })
     }
 
     /// Makes the folder, sets up the threads and takes over the options.
     pub(crate) fn stages(args: StagesArgs) -> anyhow::Result<Self> {
+        let input = args.stream.source(&args.source.input)?;
         check_overwrite(&args.source, None, &stages::files(&args.dir, false))?;
         make_folder(&args.dir, "--dir")?;
         start_threads(&args.source)?;
         let options = source_options(&args.source)?;
-        Ok(Self { input: args.source.input, output: None, options, talk: args.source.talk, stages: Some(args.dir) })
+        let marks = Marks::asked(&args.source.making);
+        Ok(Self { input, output: None, options, marks, talk: args.source.talk, stages: Some(args.dir) })
     }
 }
 
@@ -88,27 +122,55 @@ fn start_threads(args: &SourceArgs) -> anyhow::Result<()> {
     rayon::ThreadPoolBuilder::new().num_threads(n.into()).build_global().context("cannot start the threads")
 }
 
-/// The options that all commands share.
+/// The options of a base mesh of one input.
 fn source_options(args: &SourceArgs) -> anyhow::Result<Options> {
+    Ok(Options { marked_edges: marked_edges(args)?, ..base_options(&args.making)? })
+}
+
+fn marked_edges(args: &SourceArgs) -> anyhow::Result<Vec<[DVec3; 2]>> {
+    args.marked_edges.as_deref().map(load::lines).transpose().map(Option::unwrap_or_default)
+}
+
+/// The options that all commands share.
+fn base_options(args: &MakingArgs) -> Result<Options, Failure> {
     let mut options = Options { seed: args.seed, method: args.method.into(), ..Options::default() };
     options.base_vertices = args.base_vertices.map(|n| n as usize);
+    check_features(args)?;
     let features = &mut options.features;
+    if args.features != FeaturesArg::Creases {
+        features.strong_angle = NO_CREASES;
+    }
     features.strong_angle = args.crease_angle.unwrap_or(features.strong_angle);
     features.weak_angle = args.weak_angle.unwrap_or(features.weak_angle.min(features.strong_angle));
     if features.weak_angle > features.strong_angle {
         let (weak, strong) = (features.weak_angle, features.strong_angle);
         let message =
             format!("--weak-angle {weak} is above the crease angle of {strong} degrees; lower it or raise --crease-angle");
-        return Err(Failure::new(Kind::Usage, message).into());
+        return Err(Failure::new(Kind::Usage, message));
     }
-    options.marked_edges = args.marked_edges.as_deref().map(load::lines).transpose()?.unwrap_or_default();
     Ok(options)
 }
 
+/// The crease angle at which there are none, in degrees.
+const NO_CREASES: f64 = 180.0;
+
+/// Angles are given only where creases are looked for.
+fn check_features(args: &MakingArgs) -> Result<(), Failure> {
+    let given = [("--crease-angle", args.crease_angle), ("--weak-angle", args.weak_angle)];
+    match given.iter().find(|(_, angle)| angle.is_some()) {
+        Some((option, _)) if args.features != FeaturesArg::Creases => {
+            let features = args.features.name();
+            let message = format!("{option} has no meaning with --features {features}; leave one of them out");
+            Err(Failure::new(Kind::Usage, message))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// What only the paper's method takes is given with no other.
-fn check_paper(args: &RemeshArgs) -> Result<(), Failure> {
-    match args.paper.given() {
-        Some(option) if !matches!(args.source.method, MethodArg::Paper) => {
+fn check_paper(making: &MakingArgs, result: &ResultArgs) -> Result<(), Failure> {
+    match result.paper.given() {
+        Some(option) if !matches!(making.method, MethodArg::Paper) => {
             let message = format!("{option} has no meaning without --method paper; add that or leave {option} out");
             Err(Failure::new(Kind::Usage, message))
         }
@@ -130,8 +192,13 @@ fn check_size(base_vertices: Option<u32>, levels: u32) -> Result<(), Failure> {
 
 /// The extension is known, and the folder is there and takes files.
 fn check_output(output: &Path) -> anyhow::Result<()> {
+    mesh_io::writable_format(output).with_context(|| format!("cannot write {}", output.display()))?;
+    check_place(output)
+}
+
+/// It is no folder, and the folder that it is in takes files.
+fn check_place(output: &Path) -> anyhow::Result<()> {
     let name = output.display();
-    mesh_io::writable_format(output).with_context(|| format!("cannot write {name}"))?;
     if output.is_dir() {
         return Err(Failure::new(Kind::Io, format!("cannot write {name}: it is a folder; name a file")).into());
     }

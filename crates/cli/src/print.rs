@@ -1,23 +1,40 @@
-//! Standard output.
+//! Standard output, or standard error where a mesh goes to standard output.
 
-use crate::args::Talk;
 use crate::failure::Failure;
+use crate::talk::Talk;
 use anyhow::Context as _;
 use serde::Serialize;
-use std::io::{self, ErrorKind, Write as _};
+use std::io::{self, ErrorKind, Write};
 
-/// Writes text to standard output. That nobody reads it to the end (`| head`) is no error.
-pub(crate) fn text(text: &str) -> anyhow::Result<()> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
-        done => done.context("cannot write to standard output"),
+/// Where something is printed.
+#[derive(Clone, Copy)]
+pub(crate) enum Stream {
+    Output,
+    Error,
+}
+
+impl From<Talk> for Stream {
+    fn from(talk: Talk) -> Self {
+        if talk.on_stderr { Self::Error } else { Self::Output }
     }
 }
 
-/// Writes one JSON object to standard output. A figure that is not finite becomes null.
-pub(crate) fn json(value: &impl Serialize) -> anyhow::Result<()> {
-    text(&(serde_json::to_string_pretty(value)? + "\n"))
+/// Writes bytes. That nobody reads them to the end (`| head`) is no error.
+pub(crate) fn bytes(stream: Stream, bytes: &[u8]) -> anyhow::Result<()> {
+    let write = |out: &mut dyn Write| out.write_all(bytes).and_then(|()| out.flush());
+    let (written, name) = match stream {
+        Stream::Output => (write(&mut io::stdout().lock()), "output"),
+        Stream::Error => (write(&mut io::stderr().lock()), "error"),
+    };
+    match written {
+        Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
+        done => done.with_context(|| format!("cannot write to standard {name}")),
+    }
+}
+
+/// Writes one JSON object. A figure that is not finite becomes null.
+pub(crate) fn json(stream: Stream, value: &impl Serialize) -> anyhow::Result<()> {
+    bytes(stream, (serde_json::to_string_pretty(value)? + "\n").as_bytes())
 }
 
 /// Prints a report as the user wants it: as JSON, in full, as a summary, or not at all.
@@ -27,18 +44,19 @@ pub(crate) fn report(
     summary: impl FnOnce() -> Table,
     full: impl FnOnce() -> Table,
 ) -> anyhow::Result<()> {
+    let table = |table: Table| bytes(talk.into(), table.0.as_bytes());
     match talk {
-        Talk { json: true, .. } => self::json(json),
+        Talk { json: true, .. } => self::json(talk.into(), json),
         Talk { quiet: true, .. } => Ok(()),
-        Talk { verbose: true, .. } => full().print(),
-        _ => summary().print(),
+        Talk { verbose: true, .. } => table(full()),
+        _ => table(summary()),
     }
 }
 
 /// Prints what went wrong. That nobody listens is no error: the exit code still tells.
-pub(crate) fn failure(failure: &Failure, as_json: bool) {
-    if as_json && !failure.told {
-        json(failure).ok();
+pub(crate) fn failure(failure: &Failure, talk: Talk) {
+    if talk.json && !failure.told {
+        json(talk.into(), failure).ok();
     }
     writeln!(io::stderr(), "error: {failure}").ok();
 }
@@ -88,10 +106,5 @@ impl Table {
     #[cfg(test)]
     pub(crate) fn text(&self) -> &str {
         &self.0
-    }
-
-    /// Writes all lines to standard output.
-    pub(crate) fn print(&self) -> anyhow::Result<()> {
-        text(&self.0)
     }
 }

@@ -1,8 +1,8 @@
 //! How far a run has come, for people, and Ctrl-C.
 
-use crate::args::Talk;
 use crate::failure::Failure;
 use crate::print;
+use crate::talk::Talk;
 use indicatif::{ProgressBar, ProgressStyle};
 use semireg::Progress;
 use std::io::{self, IsTerminal as _, Write as _};
@@ -47,20 +47,36 @@ impl Phase {
         before.is_ok() || before == Err(phase)
     }
 
+    /// Goes back to work after what was written.
+    fn resume(&self) {
+        self.0.compare_exchange(Self::WRITING, Self::WORKING, Ordering::Relaxed, Ordering::Relaxed).ok();
+    }
+
     fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed) == Self::CANCELLED
     }
 }
 
+/// From now on the program ends when standard input does, that is, with whoever holds the other end of it; not while files are written.
+pub(crate) fn end_with_stdin() {
+    thread::spawn(|| {
+        io::copy(&mut io::stdin().lock(), &mut io::sink()).ok();
+        if PHASE.enter(Phase::CANCELLED) {
+            process::exit(i32::from(Failure::cancelled().exit_code()));
+        }
+    });
+}
+
 impl Meter<'static> {
     /// A meter on standard error. From now on Ctrl-C ends the run, and the program with it within a quarter of a second.
     pub(crate) fn new(talk: Talk) -> Self {
+        PHASE.resume();
         let cancel = move || {
             if PHASE.enter(Phase::CANCELLED) {
                 // The run ends between its steps. A long step is not waited for: nothing was written yet.
                 thread::sleep(GRACE);
                 let failure = Failure::cancelled();
-                print::failure(&failure, talk.json);
+                print::failure(&failure, talk);
                 process::exit(i32::from(failure.exit_code()));
             }
         };
@@ -128,7 +144,10 @@ mod tests {
         let phase = Phase::new();
         let meter = Meter { bar: None, lines: false, last: None, phase: &phase };
         assert!(meter.begin_writing().is_ok() && !phase.enter(Phase::CANCELLED) && !phase.is_cancelled());
-        assert!(meter.begin_writing().is_ok());
+        // The next result can be cancelled again.
+        phase.resume();
+        assert!(phase.enter(Phase::CANCELLED) && phase.is_cancelled());
+        assert!(meter.begin_writing().is_err());
     }
 
     #[test]

@@ -1,38 +1,102 @@
-//! `semireg remesh`: read, remesh, write, report.
+//! `semireg remesh`: read, remesh, write, report; once, or for several seeds.
 
-use crate::load;
+use crate::output::Writer;
+use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
 use crate::print;
-use crate::progress::Meter;
+use crate::progress::{self, Meter};
 use crate::report::Report;
 use crate::stages;
 use anyhow::Context as _;
-use semireg::Options;
+use mesh_core::TriMesh;
+use mesh_io::Document;
+use semireg::{Options, Remeshed};
+use serde::Serialize;
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::time::Instant;
 
-/// Writes the result only once it is certified; then the report.
+/// Writes the results, each only once it is certified; then its report. In JSON the reports of several are in one object.
 pub(crate) fn run(plan: &RemeshPlan) -> anyhow::Result<()> {
     let start = Instant::now();
-    let mut meter = Meter::new(plan.talk);
-    let document = mesh_io::read(&plan.input)?;
-    let base_mesh = plan.base.as_deref().map(mesh_io::read).transpose()?.map(|base| base.soup);
-    let read_seconds = start.elapsed().as_secs_f64();
-    let options = Options { base_mesh, ..plan.options.clone() };
-    let remeshed = semireg::remesh_with(&document.soup, &options, &mut |progress| meter.step(progress))
-        .with_context(|| plan.input.display().to_string())?;
-    let before_writing = Instant::now();
-    meter.begin_writing()?;
-    // Pictures first: when they fail, there is no result beside the error.
-    if let Some(folder) = &plan.stages {
-        stages::write(folder, &remeshed)?;
+    if plan.end_with_stdin {
+        progress::end_with_stdin();
     }
-    mesh_io::write(&plan.output, &remeshed.mesh)?;
-    drop(meter);
-    let write_seconds = before_writing.elapsed().as_secs_f64();
-    let mut report = Report::new(plan, &remeshed);
-    report.add_warning(load::lost(&document.extras));
-    report.seconds.add("read", read_seconds);
-    report.seconds.add("write", write_seconds);
-    report.seconds.end("report", start.elapsed().as_secs_f64());
-    print::report(plan.talk, &report, || report.summary(), || report.table())
+    let document = plan.input.read()?;
+    let base_mesh = plan.base.as_deref().map(mesh_io::read).transpose()?.map(|base| base.soup);
+    let mut work = Work { plan, document, base_mesh, seeds: HashMap::new(), begun: start };
+    let mut variants = Vec::new();
+    for files in &plan.outputs.results {
+        let made = work.done(files);
+        let report = if plan.is_several { made.with_context(|| format!("seed {}", files.seed))? } else { made? };
+        if plan.is_several && plan.talk.json {
+            variants.push(report);
+        } else {
+            print::report(plan.talk, &report, || report.summary(), || report.table())?;
+        }
+    }
+    if variants.is_empty() { Ok(()) } else { print::json(plan.talk.into(), &Variants { variants }) }
+}
+
+/// The reports of several results.
+#[derive(Serialize)]
+struct Variants {
+    variants: Vec<Report>,
+}
+
+/// What all results are made from.
+struct Work<'a> {
+    plan: &'a RemeshPlan,
+    document: Document,
+    base_mesh: Option<mesh_core::Soup>,
+    /// The seed that first led to a result, by what stands for its vertices.
+    seeds: HashMap<u64, u64>,
+    /// When the work on the next result began: for the first one, with reading.
+    begun: Instant,
+}
+
+impl Work<'_> {
+    /// Makes a result and writes it.
+    fn done(&mut self, files: &ResultFiles) -> anyhow::Result<Report> {
+        let Self { plan, document, base_mesh, .. } = self;
+        let mut meter = Meter::new(plan.talk);
+        let read_seconds = self.begun.elapsed().as_secs_f64();
+        let options = plan.marks.added_to(&plan.options, document, &plan.input)?;
+        let options = Options { base_mesh: base_mesh.clone(), seed: files.seed, ..options };
+        let remeshed = semireg::remesh_with(&document.soup, &options, &mut |progress| meter.step(progress))
+            .with_context(|| plan.input.to_string())?;
+        let before_writing = Instant::now();
+        meter.begin_writing()?;
+        // Pictures first: when they fail, there is no result beside the error.
+        if let Some(folder) = &plan.stages {
+            stages::write(folder, &remeshed)?;
+        }
+        let lost = Writer { plan, document, remeshed: &remeshed }.write(files)?;
+        drop(meter);
+        let write_seconds = before_writing.elapsed().as_secs_f64();
+        let mut report = Report::new(plan, files, &remeshed);
+        lost.into_iter().for_each(|warning| report.add_warning(Some(warning)));
+        report.add_warning(self.same_as(files.seed, &remeshed));
+        report.seconds.add("read", read_seconds);
+        report.seconds.add("write", write_seconds);
+        report.seconds.end("report", self.begun.elapsed().as_secs_f64());
+        self.begun = Instant::now();
+        Ok(report)
+    }
+
+    /// A warning where a result is that of an earlier seed.
+    fn same_as(&mut self, seed: u64, remeshed: &Remeshed) -> Option<String> {
+        let first = *self.seeds.entry(fingerprint(&remeshed.mesh)).or_insert(seed);
+        (first != seed)
+            .then(|| format!("seed {seed} gives the same result as seed {first}: the shape leaves no choice of base mesh"))
+    }
+}
+
+/// A number that stands for the places of a mesh's vertices, in whatever order: another base mesh has the middles of its edges elsewhere.
+fn fingerprint(mesh: &TriMesh) -> u64 {
+    let mut places: Vec<[u64; 3]> = mesh.positions().iter().map(|p| p.to_array().map(f64::to_bits)).collect();
+    places.sort_unstable();
+    let mut hasher = DefaultHasher::new();
+    places.hash(&mut hasher);
+    hasher.finish()
 }

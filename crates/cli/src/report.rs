@@ -1,6 +1,7 @@
 //! The report of a remeshing, as JSON and as a table.
 
 use crate::figures::Figures;
+use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
 use crate::print::Table;
 use crate::repairs::Repairs;
@@ -15,6 +16,8 @@ pub(crate) struct Report {
     version: &'static str,
     input: String,
     output: String,
+    /// All files that were written, the output first.
+    files: Vec<String>,
     parameters: Parameters,
     seed: u64,
     /// "certified", or that with what a person would not accept without a second look.
@@ -61,6 +64,8 @@ struct Parameters {
     levels: u32,
     crease_angle: f64,
     weak_angle: f64,
+    features: &'static str,
+    keep: Vec<&'static str>,
     marked_edges: usize,
 }
 
@@ -183,24 +188,27 @@ impl CreaseLength {
 
 impl Report {
     /// Collects the figures of a run.
-    pub(crate) fn new(plan: &RemeshPlan, remeshed: &Remeshed) -> Self {
+    pub(crate) fn new(plan: &RemeshPlan, files: &ResultFiles, remeshed: &Remeshed) -> Self {
         let report = &remeshed.report;
         let certificate = &report.certificate;
         let mut warnings = report.warnings.clone();
         warnings.extend(certificate.warnings().iter().map(ToString::to_string));
         Self {
             version: env!("CARGO_PKG_VERSION"),
-            input: plan.input.display().to_string(),
-            output: plan.output.display().to_string(),
+            input: plan.input.to_string(),
+            output: files.output.to_string(),
+            files: files.all().iter().map(|file| file.display().to_string()).collect(),
             parameters: Parameters {
                 base: plan.base.as_ref().map(|path| path.display().to_string()),
                 base_vertices: plan.options.base_vertices,
                 levels: plan.options.levels,
                 crease_angle: plan.options.features.strong_angle,
                 weak_angle: plan.options.features.weak_angle,
+                features: plan.marks.features.name(),
+                keep: plan.marks.kept(),
                 marked_edges: plan.options.marked_edges.len(),
             },
-            seed: plan.options.seed,
+            seed: files.seed,
             verdict: Verdict::of(report.shortcomings.clone()).to_string(),
             shortcomings: report.shortcomings.iter().map(ToString::to_string).collect(),
             repairs: Repairs::new(&report.clean),

@@ -36,9 +36,14 @@ impl FeatureOptions {
         Ok(())
     }
 
+    /// Whether there can be creases: the strong angle is below 180 degrees.
+    pub fn finds_creases(&self) -> bool {
+        self.strong_angle < NO_CREASES
+    }
+
     /// Is an edge of this dihedral angle (degrees) a crease by itself?
     pub(crate) fn is_strong(&self, angle: f64) -> bool {
-        self.strong_angle < NO_CREASES && angle >= self.strong_angle
+        self.finds_creases() && angle >= self.strong_angle
     }
 }
 

@@ -112,6 +112,11 @@ impl SurfaceIndex {
         self.search_closest(point, f64::INFINITY, |leaf| keep(leaf.face))
     }
 
+    /// The closest point at `max_distance` or less on the faces that `keep` holds for.
+    pub fn closest_within_where(&self, point: DVec3, max_distance: f64, keep: impl Fn(FaceId) -> bool) -> Option<Closest> {
+        self.search_closest(point, max_distance, |leaf| keep(leaf.face))
+    }
+
     /// Whether something at `point` with the normal `normal` (of any length) faces against the surface: the face nearest to it
     /// faces the other way, and none that faces the same way lies in the same place, to [`SHEET_DISTANCE`]. Faces without area
     /// face nowhere.

@@ -1,8 +1,9 @@
 //! What a file says.
 
+use crate::attributes::Attributes;
 use crate::error::Fault;
 use crate::extra::{Extra, Extras};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mesh_core::Soup;
 
 /// The contents of a file: its triangles, and the polygons that they were cut from.
@@ -24,14 +25,27 @@ pub struct Document {
     /// Line segments (`l` of an obj, the element `edge` of a ply) as pairs of vertices, which may be out of range. No other format
     /// has them.
     pub lines: Vec<[u32; 2]>,
-    /// What else the file holds, each kind once. None of it is in this document, but for the lines.
+    /// What else its vertices and triangles have, as far as it is read.
+    pub attributes: Attributes,
+    /// What else the file holds, each kind once, whether it is read or not.
     pub extras: Vec<Extra>,
+}
+
+/// What a file gives for vertices, and an attribute has for corners. Empty where it gives none.
+#[derive(Default)]
+pub(crate) struct OfVertices {
+    pub(crate) normals: Vec<DVec3>,
+    pub(crate) uvs: Vec<DVec2>,
 }
 
 /// Collects a [`Document`].
 #[derive(Default)]
 pub(crate) struct Builder {
     document: Document,
+    /// What the vertices and triangles so far have; shorter lists are filled up at the end.
+    pub(crate) attributes: Attributes,
+    /// Normals and texture coordinates of vertices, which become those of corners when all triangles are known.
+    pub(crate) of_vertices: OfVertices,
     /// What the file holds beside polygons.
     pub(crate) extras: Extras,
 }
@@ -45,12 +59,20 @@ impl Builder {
     pub(crate) fn n_vertices(&self) -> usize {
         self.document.soup.positions.len()
     }
+    /// The triangles so far.
+    pub(crate) fn triangles(&self) -> &[[u32; 3]] {
+        &self.document.soup.triangles
+    }
+    /// Number of triangles so far.
+    pub(crate) fn n_triangles(&self) -> usize {
+        self.document.soup.triangles.len()
+    }
     /// Appends a polygon as a fan around its first corner. Fewer than 3 corners give no triangle.
     pub(crate) fn polygon(&mut self, corners: &[u32]) {
         // `finish` refuses a document with too many polygons for this to be exact.
         let polygon = self.document.n_polygons as u32;
-        for pair in corners.windows(2).skip(1) {
-            self.document.soup.triangles.push([corners[0], pair[0], pair[1]]);
+        for triangle in fan(corners) {
+            self.document.soup.triangles.push(triangle);
             self.document.polygon_of.push(polygon);
         }
         self.document.n_polygons += 1;
@@ -73,13 +95,20 @@ impl Builder {
         polygons.dedup();
         self.document.polygons_out_of_range = polygons;
         self.extras.note_if(!self.document.lines.is_empty(), Extra::PointsOrLines);
+        self.attributes.complete(soup.positions.len(), soup.triangles.len());
+        self.document.attributes = self.attributes;
         self.document.extras = self.extras.list();
         Ok(self.document)
     }
 }
 
+/// The fan around the first corner of a polygon, of its corners or of what they have.
+pub(crate) fn fan<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> {
+    corners.windows(2).skip(1).map(|pair| [corners[0], pair[0], pair[1]])
+}
+
 /// The triangles of a strip, every second one turned round.
-pub(crate) fn strip_triangles(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> {
+pub(crate) fn strip_triangles<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> {
     corners.windows(3).enumerate().map(|(i, t)| if i % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] })
 }
 

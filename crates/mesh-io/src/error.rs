@@ -79,6 +79,18 @@ pub enum WriteError {
         /// The format.
         format: &'static str,
     },
+    /// Several levels for a format that holds one mesh.
+    #[error("{} can hold one mesh only; write gltf or glb, or each level into a file of its own", path.display())]
+    OneLevel {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A level has other vertices than the first ones of the finest, or there is none.
+    #[error("level {level} is no coarser level of the finest: its vertices are not the first ones of that")]
+    NoLevel {
+        /// The number of the level.
+        level: usize,
+    },
     /// Not one colour for each face.
     #[error("{colors} colours for {faces} faces; give one for each face")]
     ColorCount {
@@ -87,6 +99,27 @@ pub enum WriteError {
         /// Number of faces.
         faces: usize,
     },
+    /// A list of attributes that is not one of the mesh.
+    #[error("{what}: {found} entries where the mesh needs {expected}; give one for each")]
+    AttributeCount {
+        /// Of what.
+        what: String,
+        /// Number of entries given.
+        found: usize,
+        /// Number of vertices or faces.
+        expected: usize,
+    },
+    /// A line that ends nowhere.
+    #[error("a line ends at vertex {vertex}, but there are only {vertices}; give lines between vertices of the mesh")]
+    NoSuchVertex {
+        /// The vertex.
+        vertex: u32,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// Points beside the mesh that no mesh can hold.
+    #[error("the coloured points cannot be written: {0}")]
+    Points(mesh_core::MeshError),
 }
 
 const EXPORT_AGAIN: &str = "correct it or export the file again";

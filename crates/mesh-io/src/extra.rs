@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt::{self, Display, Formatter};
 
-/// Something that a file holds beside positions and polygons. A reader notes that it is there and takes nothing of it over.
+/// Something that a file holds beside positions and polygons. A reader notes that it is there, whether it is read
+/// ([`Attributes`](crate::Attributes)) or not.
 ///
 /// As text it is a part of a list: "texture coordinates", "3 materials".
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

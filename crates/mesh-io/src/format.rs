@@ -1,5 +1,6 @@
 //! The file formats.
 
+use crate::Extra;
 use std::path::Path;
 
 /// A mesh file format.
@@ -27,6 +28,19 @@ impl Format {
     pub fn from_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?;
         Self::ALL.into_iter().find(|f| extension.eq_ignore_ascii_case(f.extension()))
+    }
+
+    /// Whether a file of this format, once written, has something again that an input had: [`crate::write_with`] takes it from the attributes.
+    pub fn holds(self, extra: &Extra) -> bool {
+        use Extra::{Colors, Materials, Normals, Parts, Properties, TextureCoordinates, Textures};
+        match self {
+            Self::Obj => matches!(extra, Normals | TextureCoordinates | Colors | Materials(_) | Parts(_)),
+            Self::Ply => {
+                matches!(extra, Normals | TextureCoordinates | Colors | Materials(_) | Parts(_) | Textures(_) | Properties(_))
+            }
+            Self::Gltf | Self::Glb => matches!(extra, Normals | TextureCoordinates | Colors | Materials(_) | Textures(_)),
+            Self::Stl | Self::Off => false,
+        }
     }
 
     /// The usual extension, in lower case and without dot.

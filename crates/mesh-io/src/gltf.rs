@@ -5,23 +5,30 @@
 //! that are no matter here.
 
 mod accessor;
+mod attributes;
 mod buffers;
+mod looks;
+mod packer;
+mod primitive;
 mod scene;
 mod unread;
 mod write;
 
+pub(crate) use looks::GltfLooks;
 pub(crate) use write::{write_binary, write_json};
 
-use crate::document::{Builder, Document, saturating_index, strip_triangles};
+use crate::Labels;
+use crate::attributes::Names;
+use crate::document::{Builder, Document};
 use crate::error::Fault;
+use crate::looks::Looks;
 use buffers::Buffers;
-use glam::{DMat4, DVec3};
-use gltf_json::mesh::{Mode, Primitive, Semantic};
-use gltf_json::validation::Checked;
-use gltf_json::{Accessor, Index, Mesh, Root};
+use gltf_json::{Accessor, Index, Root};
+use primitive::surfaces;
+use scene::Instance;
+use serde_json::Value;
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Extensions without which the geometry cannot be read.
@@ -34,21 +41,32 @@ const MAX_UNFOLDED: u64 = 1 << 27;
 
 /// Reads gltf or glb, told apart by their first bytes. Buffers in other files are looked for in `directory`, refused without it.
 ///
-/// Every mesh of the scene is put in place by the transforms of its nodes, once for each use. Points and lines are noted and skipped.
+/// Every mesh of the scene is put in place by the transforms of its nodes, once for each use. Points and lines are noted and skipped. Vertices
+/// that only our own files have because glTF wants one for each normal are the ones that they are copies of.
 pub(crate) fn read(bytes: &[u8], directory: Option<&Path>) -> Result<Document, Fault> {
     let (json, blob) = split(bytes)?;
-    let root = Root::from_slice(&json).map_err(|e| Fault::data(format!("gltf: {e}")))?;
+    let fault = |e: serde_json::Error| Fault::data(format!("gltf: {e}"));
+    let root = Root::from_slice(&json).map_err(fault)?;
+    // As it is: the typed one drops what it does not know.
+    let value: Value = serde_json::from_slice(&json).map_err(fault)?;
     if let Some(name) = root.extensions_required.iter().find(|e| UNREADABLE.contains(&e.as_str())) {
         return Err(Fault::unsupported(format!("the extension {name} is not supported"), "export without it"));
     }
-    let instances = scene::instances(&root)?;
+    let mut instances = scene::instances(&root)?;
     check_size(&root, &instances)?;
     let buffers = Buffers::load(&root, blob, directory)?;
     let mut builder = Builder::default();
     unread::note(&root, &instances, &mut builder.extras);
-    for (mesh, transform) in instances {
-        push_mesh(&mut builder, &buffers, mesh, transform)?;
+    let mut objects = Names::default();
+    for instance in &mut instances {
+        instance.object = instance.name.map_or(Labels::NONE, |name| objects.index_of(name.to_owned()));
+        let copies = primitive::copies(&value["meshes"][instance.number]);
+        primitive::push_mesh(&mut builder, &buffers, instance, &copies)?;
     }
+    let names = root.materials.iter().map(|material| material.name.clone().unwrap_or_default());
+    builder.attributes.materials.names = names.collect();
+    builder.attributes.objects.names = objects.into_names();
+    builder.attributes.looks = Looks::Gltf(Box::new(GltfLooks::read(&value, &buffers)));
     builder.finish()
 }
 
@@ -67,31 +85,11 @@ fn split(bytes: &[u8]) -> Result<JsonAndBlob<'_>, Fault> {
     Ok((glb.json, glb.bin))
 }
 
-/// A primitive that has triangles.
-struct Surface<'a> {
-    primitive: &'a Primitive,
-    mode: Mode,
-    positions: Index<Accessor>,
-}
-
-/// The primitives of a mesh that have triangles; points, lines and primitives without positions are passed over.
-fn surfaces(mesh: &Mesh) -> impl Iterator<Item = Surface<'_>> {
-    mesh.primitives.iter().filter_map(|primitive| {
-        let positions = *primitive.attributes.get(&Checked::Valid(Semantic::Positions))?;
-        match primitive.mode {
-            Checked::Valid(mode @ (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan)) => {
-                Some(Surface { primitive, mode, positions })
-            }
-            _ => None,
-        }
-    })
-}
-
 /// Fails when the meshes, each as often as it is used, claim more vertices and corners than we take.
-fn check_size(root: &Root, instances: &[(&Mesh, DMat4)]) -> Result<(), Fault> {
+fn check_size(root: &Root, instances: &[Instance<'_>]) -> Result<(), Fault> {
     let claimed = |accessor: &Index<Accessor>| root.get(*accessor).map_or(0, |a| a.count.0);
     let mut total = 0u64;
-    for (mesh, _) in instances {
+    for Instance { mesh, .. } in instances {
         let positions: BTreeSet<_> = surfaces(mesh).map(|s| s.positions).collect();
         let indices = surfaces(mesh).filter_map(|s| s.primitive.indices);
         total = positions.iter().copied().chain(indices).map(|a| claimed(&a)).fold(total, u64::saturating_add);
@@ -100,60 +98,4 @@ fn check_size(root: &Root, instances: &[(&Mesh, DMat4)]) -> Result<(), Fault> {
         return Ok(());
     }
     Err(Fault::unsupported(format!("its scene unfolds to {total} vertices and corners"), "export fewer copies of its meshes"))
-}
-
-fn push_mesh(builder: &mut Builder, buffers: &Buffers, mesh: &Mesh, transform: DMat4) -> Result<(), Fault> {
-    let is_mirrored = transform.determinant() < 0.0;
-    // Primitives (one for each material) that share positions share vertices.
-    let mut vertices = BTreeMap::new();
-    for Surface { primitive, mode, positions } in surfaces(mesh) {
-        let range = match vertices.get(&positions) {
-            Some(range) => Range::clone(range),
-            None => push_positions(builder, buffers, positions, transform)?,
-        };
-        let corners = corners(buffers, primitive, range.clone())?;
-        vertices.insert(positions, range);
-        for [a, b, c] in triangles(mode, &corners)? {
-            // Under a transform that mirrors, triangles are turned round (glTF 2.0, section 3.7.4).
-            builder.polygon(&if is_mirrored { [a, c, b] } else { [a, b, c] });
-        }
-    }
-    Ok(())
-}
-
-/// Appends the positions of an accessor; returns their vertices.
-fn push_positions(
-    builder: &mut Builder,
-    buffers: &Buffers,
-    accessor: Index<Accessor>,
-    transform: DMat4,
-) -> Result<Range<usize>, Fault> {
-    let first = builder.n_vertices();
-    for p in accessor::numbers::<3>(buffers, accessor)? {
-        let p = DVec3::from_array(p);
-        // The identity must not touch a bit, not even a negative zero.
-        builder.vertex(if transform == DMat4::IDENTITY { p } else { transform.transform_point3(p) });
-    }
-    Ok(first..builder.n_vertices())
-}
-
-/// The corners of a primitive as indices of the document. Those past its own vertices stay out of range.
-fn corners(buffers: &Buffers, primitive: &Primitive, vertices: Range<usize>) -> Result<Vec<u32>, Fault> {
-    let vertex = |i: usize| if i < vertices.len() { saturating_index((vertices.start + i) as i64) } else { u32::MAX };
-    match primitive.indices {
-        Some(accessor) => Ok(accessor::numbers::<1>(buffers, accessor)?.iter().map(|[i]| vertex(*i as usize)).collect()),
-        None => Ok((0..vertices.len()).map(vertex).collect()),
-    }
-}
-
-/// The triangles that corners mean in a mode that has triangles.
-fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, Fault> {
-    match mode {
-        Mode::TriangleStrip => Ok(strip_triangles(corners).collect()),
-        Mode::TriangleFan => Ok(corners.windows(2).skip(1).map(|pair| [corners[0], pair[0], pair[1]]).collect()),
-        _ => match corners.as_chunks::<3>() {
-            (triangles, []) => Ok(triangles.to_vec()),
-            _ => Err(Fault::data(format!("gltf: triangles of {} corners, not a multiple of 3", corners.len()))),
-        },
-    }
 }

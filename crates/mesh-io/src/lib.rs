@@ -1,8 +1,8 @@
 //! Reading (also compressed by gzip) and writing obj, ply, stl, off, gltf and glb.
 //!
 //! [`read()`] gives what the file says, as a [`mesh_core::Soup`] in a [`Document`]; cleaning is not done here. What else the file holds
-//! (texture coordinates, materials, ...) is named in [`Document::extras`]. [`write()`] is
-//! atomic and keeps the order of vertices and faces.
+//! (texture coordinates, materials, animations, ...) is named in [`Document::extras`], and what of it is read is in [`Attributes`].
+//! [`write()`] and [`write_with`] are atomic and keep the order of vertices and faces.
 //!
 //! ```
 //! use mesh_io::{Format, read_bytes, write_bytes};
@@ -18,25 +18,36 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod attributes;
 mod base64;
+mod corners;
 mod document;
 mod error;
 mod extra;
 mod format;
 mod gltf;
+mod looks;
+mod npz;
 mod obj;
 mod off;
 mod packed;
 mod ply;
 mod read;
+mod settings;
 mod single_precision;
 mod stl;
 mod text;
 mod write;
 
+pub use attributes::{Attributes, Labels, ValueKind, Values};
 pub use document::Document;
 pub use error::{ReadError, WriteError};
 pub use extra::Extra;
 pub use format::Format;
-pub use read::{read, read_bytes};
-pub use write::{writable_format, write, write_bytes, write_colored_ply};
+pub use looks::Looks;
+pub use npz::{Array, Numbers};
+pub use read::{read, read_bytes, read_from, readable_format};
+pub use settings::{Level, Settings};
+pub use write::{
+    writable_format, write, write_arrays, write_bytes, write_bytes_with, write_colored_ply, write_levels, write_with,
+};

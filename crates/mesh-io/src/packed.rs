@@ -21,6 +21,11 @@ pub(crate) fn name_inside(path: &Path) -> Option<PathBuf> {
 /// What a gzip file begins with.
 const FIRST_BYTES: [u8; 2] = [0x1f, 0x8b];
 
+/// Whether these are the contents of a gzip file.
+pub(crate) fn is_packed(bytes: &[u8]) -> bool {
+    bytes.starts_with(&FIRST_BYTES)
+}
+
 /// The contents of a gzip file; several parts one after the other are taken as one.
 pub(crate) fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
     if !bytes.iter().zip(FIRST_BYTES).all(|(found, first)| *found == first) {

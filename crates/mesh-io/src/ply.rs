@@ -3,20 +3,25 @@
 //! Our own reader: the text grammar of the package ply-rs-bw (4.0.1) knows no `nan`, `inf`, `.5` or `5.`, it loses an element
 //! whose name comes twice, and it keeps every element of the file in memory.
 
+mod columns;
 mod header;
 mod unread;
 mod values;
+mod write;
+
+pub(crate) use write::write;
 
 use crate::document::{Builder, Document, saturating_index, strip_triangles};
 use crate::error::Fault;
 use crate::extra::Extra;
+use crate::looks::Looks;
+use columns::Columns;
 use glam::DVec3;
 use header::{Element, Encoding, Header, Kind};
-use mesh_core::TriMesh;
 use values::Values;
 
-/// Reads a ply file: positions from the element `vertex`, polygons from `face`, triangle strips from `tristrips`, lines from `edge`.
-/// Other elements and properties are noted and skipped.
+/// Reads a ply file: positions from the element `vertex`, polygons from `face`, triangle strips from `tristrips`, lines from `edge`, and what
+/// vertices and faces have beside. Other elements and lists are noted and skipped.
 pub(crate) fn read(bytes: &[u8]) -> Result<Document, Fault> {
     let header = Header::parse(bytes)?;
     let body = &bytes[header.length..];
@@ -38,7 +43,11 @@ fn elements(header: &Header, values: &mut Values) -> Result<Document, Fault> {
             _ => rows(element, values, |_, _| Ok(()))?,
         }
     }
-    builder.extras.note(Extra::Textures(header.textures));
+    builder.extras.note(Extra::Textures(header.textures.len()));
+    if !header.textures.is_empty() {
+        builder.attributes.looks = Looks::Images(header.textures.clone());
+    }
+    columns::to_corners(&mut builder);
     builder.finish()
 }
 
@@ -46,6 +55,8 @@ fn elements(header: &Header, values: &mut Values) -> Result<Document, Fault> {
 struct Row {
     scalars: Vec<f64>,
     list: Vec<i64>,
+    /// The list of texture coordinates of a face.
+    uvs: Vec<f64>,
 }
 
 /// Reads an element row by row. An element without properties takes no room, whatever its count says.
@@ -57,8 +68,8 @@ fn rows(
     if element.properties.is_empty() {
         return Ok(());
     }
-    let index_list = index_list(element);
-    let mut row = Row { scalars: vec![0.0; element.properties.len()], list: Vec::new() };
+    let (index_list, uv_list) = (index_list(element), columns::uv_list(element));
+    let mut row = Row { scalars: vec![0.0; element.properties.len()], list: Vec::new(), uvs: Vec::new() };
     for i in 0..element.count {
         let fault = |e: Fault| in_row(e, element, i);
         for (p, property) in element.properties.iter().enumerate() {
@@ -66,13 +77,18 @@ fn rows(
                 Kind::Scalar(scalar) => row.scalars[p] = values.scalar(scalar).map_err(fault)?,
                 Kind::List { count, item } => {
                     let n = values.integer(count).map_err(fault)?;
-                    let wanted = Some(p) == index_list;
-                    if wanted {
+                    let (is_index, is_uv) = (Some(p) == index_list, Some(p) == uv_list);
+                    if is_index {
                         row.list.clear();
                     }
+                    if is_uv {
+                        row.uvs.clear();
+                    }
                     for _ in 0..n {
-                        if wanted {
+                        if is_index {
                             row.list.push(values.integer(item).map_err(fault)?);
+                        } else if is_uv {
+                            row.uvs.push(values.scalar(item).map_err(fault)?);
                         } else {
                             values.scalar(item).map_err(fault)?;
                         }
@@ -101,10 +117,14 @@ fn vertices(element: &Element, values: &mut Values, builder: &mut Builder) -> Re
     let (Some(x), Some(y), Some(z)) = (scalar("x"), scalar("y"), scalar("z")) else {
         return Err(Fault::line(element.line, "the element vertex has no properties x, y and z"));
     };
+    let mut columns = Columns::new(element);
     rows(element, values, |_, row| {
         builder.vertex(DVec3::new(row.scalars[x], row.scalars[y], row.scalars[z]));
+        columns.push(&row.scalars, 1);
         Ok(())
-    })
+    })?;
+    builder.of_vertices = columns.take_for_corners(&mut builder.attributes);
+    Ok(())
 }
 
 /// Lines between `vertex1` and `vertex2`; an element without them is skipped like any other that we don't know.
@@ -138,6 +158,8 @@ fn check_index_list(element: &Element) -> Result<(), Fault> {
 fn faces(element: &Element, values: &mut Values, builder: &mut Builder) -> Result<(), Fault> {
     check_index_list(element)?;
     let mut corners = Vec::new();
+    let mut columns = Columns::new(element);
+    let has_uvs = columns::uv_list(element).is_some();
     rows(element, values, |values, row| {
         if row.list.len() < 3 {
             return Err(values.fault(format!("a face of {} corners", row.list.len())));
@@ -145,8 +167,14 @@ fn faces(element: &Element, values: &mut Values, builder: &mut Builder) -> Resul
         corners.clear();
         corners.extend(row.list.iter().map(|&c| saturating_index(c)));
         builder.polygon(&corners);
+        columns.push(&row.scalars, corners.len() - 2);
+        if has_uvs {
+            columns::push_uvs(builder, &row.uvs, corners.len());
+        }
         Ok(())
-    })
+    })?;
+    columns.take_for_faces(&mut builder.attributes);
+    Ok(())
 }
 
 /// Strips in one list, with -1 (or its unsigned twin) where the next one begins.
@@ -159,46 +187,4 @@ fn strips(element: &Element, values: &mut Values, builder: &mut Builder) -> Resu
         }
         Ok(())
     })
-}
-
-/// Colours of a ply.
-pub(crate) struct Colors<'a> {
-    /// One for each face.
-    pub(crate) faces: &'a [[u8; 3]],
-    /// Coloured points, which become vertices without faces after those of the mesh.
-    pub(crate) points: &'a [(DVec3, [u8; 3])],
-}
-
-/// Vertices of the mesh where points have colours.
-const GREY: [u8; 3] = [205; 3];
-const COLOR_PROPERTIES: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-
-/// The mesh as little endian binary ply in f64, with colours if wanted.
-pub(crate) fn write(mesh: &TriMesh, colors: Option<&Colors>) -> Vec<u8> {
-    let points = colors.map_or(&[][..], |c| c.points);
-    let vertex_colors = if points.is_empty() { "" } else { COLOR_PROPERTIES };
-    let face_colors = if colors.is_some() { COLOR_PROPERTIES } else { "" };
-    let mut bytes = format!(
-        "ply\nformat binary_little_endian 1.0\n\
-         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{vertex_colors}\
-         element face {}\nproperty list uchar int vertex_indices\n{face_colors}end_header\n",
-        mesh.n_vertices() + points.len(),
-        mesh.n_faces()
-    )
-    .into_bytes();
-    let vertices = mesh.positions().iter().map(|&p| (p, GREY)).chain(points.iter().copied());
-    for (p, color) in vertices {
-        bytes.extend(p.to_array().iter().flat_map(|x| x.to_le_bytes()));
-        if !points.is_empty() {
-            bytes.extend(color);
-        }
-    }
-    for (f, corners) in mesh.faces().iter().enumerate() {
-        bytes.push(3);
-        bytes.extend(corners.iter().flat_map(|v| v.0.to_le_bytes()));
-        if let Some(colors) = colors {
-            bytes.extend(colors.faces[f]);
-        }
-    }
-    bytes
 }

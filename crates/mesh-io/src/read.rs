@@ -4,6 +4,7 @@ use crate::document::Document;
 use crate::error::{Fault, ReadError};
 use crate::{Format, gltf, obj, off, packed, ply, stl};
 use std::fs;
+use std::io::Read;
 use std::path::Path;
 
 /// Reads a file; its extension tells the format, that before `.gz` where it is compressed by gzip. A file without faces gives a
@@ -11,11 +12,9 @@ use std::path::Path;
 ///
 /// What is in a compressed file may take 200 times its size or 64 MiB, whichever is more, and at most 4 GiB. A gltf file may name buffers in files beside it, which are read too.
 pub fn read(path: &Path) -> Result<Document, ReadError> {
-    let inside = packed::name_inside(path);
-    let name = inside.as_deref().unwrap_or(path);
-    let format = Format::from_path(name).ok_or_else(|| ReadError::UnknownFormat { path: path.to_owned() })?;
+    let format = readable_format(path).ok_or_else(|| ReadError::UnknownFormat { path: path.to_owned() })?;
     let mut bytes = fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
-    if inside.is_some() {
+    if packed::name_inside(path).is_some() {
         bytes = packed::unpack(&bytes).map_err(|fault| fault.at(path))?;
     }
     let directory = path.parent().unwrap_or(Path::new(""));
@@ -25,6 +24,25 @@ pub fn read(path: &Path) -> Result<Document, ReadError> {
 /// Reads the contents of a file. A gltf file must hold its buffers; one that names other files is refused.
 pub fn read_bytes(bytes: &[u8], format: Format) -> Result<Document, ReadError> {
     parse(bytes, format, None).map_err(|fault| fault.at(Path::new("<bytes>")))
+}
+
+/// Reads what a stream holds up to its end, standard input say; compressed by gzip or not, which its first bytes tell. `name` stands for
+/// the path in errors.
+///
+/// The limits of [`read()`] hold. A gltf file must hold its buffers.
+pub fn read_from(stream: &mut impl Read, name: &str, format: Format) -> Result<Document, ReadError> {
+    let name = Path::new(name);
+    let mut bytes = Vec::new();
+    stream.read_to_end(&mut bytes).map_err(|source| ReadError::Io { path: name.to_owned(), source })?;
+    if packed::is_packed(&bytes) {
+        bytes = packed::unpack(&bytes).map_err(|fault| fault.at(name))?;
+    }
+    parse(&bytes, format, None).map_err(|fault| fault.at(name))
+}
+
+/// The format that [`read()`] would take a file of this name for: that of its extension, before `.gz` where there is one.
+pub fn readable_format(path: &Path) -> Option<Format> {
+    Format::from_path(packed::name_inside(path).as_deref().unwrap_or(path))
 }
 
 fn parse(bytes: &[u8], format: Format, directory: Option<&Path>) -> Result<Document, Fault> {

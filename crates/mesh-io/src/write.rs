@@ -1,7 +1,10 @@
 //! Writing a file of any format.
 
+use crate::attributes::Attributes;
 use crate::error::WriteError;
-use crate::{Format, gltf, obj, off, packed, ply, stl};
+use crate::npz::Array;
+use crate::settings::{Level, Settings};
+use crate::{Format, gltf, npz, obj, off, packed, ply, stl};
 use glam::DVec3;
 use mesh_core::TriMesh;
 use std::fs;
@@ -15,6 +18,19 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// file in the same directory, which then takes the place of the target; nothing is left of it on failure.
 pub fn write(path: &Path, mesh: &TriMesh) -> Result<(), WriteError> {
     replace(path, &write_bytes(mesh, writable_format(path)?)?)
+}
+
+/// The same with attributes and lines.
+///
+/// Where a vertex has several normals or texture coordinates, a gltf gets copies of it, after all vertices of the mesh; `extras` of the gltf mesh
+/// says of which vertices (`semireg`, `copy_of`), and [`read`](crate::read()) puts them together again. Triangles of a gltf keep their order
+/// through its primitives, of which there is one for each run of triangles of the same material. A ply gets normals where every vertex has
+/// only one.
+///
+/// Fails where an array of the attributes is neither empty nor as long as the mesh has vertices or triangles, or a line names a vertex that is
+/// not there.
+pub fn write_with(path: &Path, mesh: &TriMesh, settings: &Settings) -> Result<(), WriteError> {
+    replace(path, &write_bytes_with(mesh, settings, writable_format(path)?)?)
 }
 
 /// The format that [`write()`] would write to this path. Fails for a name that it would refuse: without the extension of a format,
@@ -38,18 +54,60 @@ pub fn write_colored_ply(
     if face_colors.len() != mesh.n_faces() {
         return Err(WriteError::ColorCount { colors: face_colors.len(), faces: mesh.n_faces() });
     }
-    replace(path, &ply::write(mesh, Some(&ply::Colors { faces: face_colors, points })))
+    let plain = |c: [u8; 3]| [f64::from(c[0]) / 255.0, f64::from(c[1]) / 255.0, f64::from(c[2]) / 255.0, 1.0];
+    let mut attributes = Attributes { face_colors: face_colors.iter().copied().map(plain).collect(), ..Attributes::default() };
+    if points.is_empty() {
+        return replace(path, &ply::write(mesh, &Settings { attributes: &attributes, lines: &[] }));
+    }
+    attributes.colors = vec![plain(GREY); mesh.n_vertices()];
+    attributes.colors.extend(points.iter().map(|(_, color)| plain(*color)));
+    let positions = mesh.positions().iter().copied().chain(points.iter().map(|(p, _)| *p)).collect();
+    let with_points = TriMesh::new(positions, mesh.face_arrays()).map_err(WriteError::Points)?;
+    replace(path, &ply::write(&with_points, &Settings { attributes: &attributes, lines: &[] }))
+}
+
+/// Vertices of the mesh where points have colours.
+const GREY: [u8; 3] = [205; 3];
+
+/// Writes the levels of a mesh, the coarsest first, into one gltf or glb: each as a mesh of its own, named `level 0` and so on. Atomic as
+/// [`write()`] is.
+///
+/// The scene shows the finest one alone, with its lines; those of the others are left out. The extension `MSFT_lod` names the others as its
+/// coarser stand-ins; what does not know it reads the finest, as [`crate::read()`] does. Materials are those of the finest one.
+///
+/// Fails for another format, without levels, and where the vertices of a level are not the first ones of the next.
+pub fn write_levels(path: &Path, levels: &[Level]) -> Result<(), WriteError> {
+    levels.iter().try_for_each(|level| level.settings.check(level.mesh))?;
+    let bytes = match writable_format(path)? {
+        Format::Gltf => gltf::write_json(levels)?,
+        Format::Glb => gltf::write_binary(levels)?,
+        _ => return Err(WriteError::OneLevel { path: path.to_owned() }),
+    };
+    replace(path, &bytes)
+}
+
+/// Writes arrays into an npz, the format of `numpy.savez`, whatever the extension of `path`; atomic as [`write()`] is. The same arrays
+/// give the same bytes.
+pub fn write_arrays(path: &Path, arrays: &[Array]) -> Result<(), WriteError> {
+    let bytes = npz::write(arrays).map_err(|source| WriteError::Io { path: path.to_owned(), source })?;
+    replace(path, &bytes)
 }
 
 /// The bytes that [`write()`] would put into the file.
 pub fn write_bytes(mesh: &TriMesh, format: Format) -> Result<Vec<u8>, WriteError> {
+    write_bytes_with(mesh, &Settings { attributes: &Attributes::default(), lines: &[] }, format)
+}
+
+/// The bytes that [`write_with`] would put into the file.
+pub fn write_bytes_with(mesh: &TriMesh, settings: &Settings, format: Format) -> Result<Vec<u8>, WriteError> {
+    settings.check(mesh)?;
     match format {
-        Format::Obj => Ok(obj::write(mesh)),
-        Format::Ply => Ok(ply::write(mesh, None)),
+        Format::Obj => Ok(obj::write(mesh, settings)),
+        Format::Ply => Ok(ply::write(mesh, settings)),
         Format::Stl => stl::write(mesh),
         Format::Off => Ok(off::write(mesh)),
-        Format::Gltf => gltf::write_json(mesh),
-        Format::Glb => gltf::write_binary(mesh),
+        Format::Gltf => gltf::write_json(&[Level { mesh, settings: *settings }]),
+        Format::Glb => gltf::write_binary(&[Level { mesh, settings: *settings }]),
     }
 }
 

@@ -1,9 +1,13 @@
 //! The program as a user meets it: every test is a story of commands and what comes of them.
 
+mod attributes;
 mod base;
+mod batch;
 mod failures;
+mod outputs;
 mod progress;
 mod remesh;
+mod streams;
 mod summaries;
 mod tools;
 mod trouble;

@@ -81,11 +81,13 @@ fn what_a_file_holds_and_the_result_lacks_is_told() {
     let holds = story.json("inspect in.obj --json")["also_holds"].clone();
     assert_eq!(holds, serde_json::json!(["normals", "texture coordinates", "2 materials"]));
     let lost = "texture coordinates and 2 materials are not carried over to the result";
-    assert!(story.done("remesh in.obj -o out.obj --base-vertices 20 --levels 1").contains(lost));
-    for line in ["remesh in.obj -o out.obj --base-vertices 20 --levels 1", "base in.obj -o base.obj --base-vertices 20"] {
+    assert!(story.done("remesh in.obj -o out.off --base-vertices 20 --levels 1").contains(lost));
+    for line in ["remesh in.obj -o out.obj --base-vertices 20 --levels 1 --plain", "base in.obj -o base.obj --base-vertices 20"] {
         let warnings = story.json(&format!("{line} --json"))["warnings"].clone();
         assert!(warnings.as_array().is_some_and(|w| w.contains(&lost.into())), "{line}: {warnings}");
     }
+    let report = story.json("remesh in.obj -o out.obj --base-vertices 20 --levels 1 --json");
+    assert_eq!(report["warnings"], serde_json::json!([]), "an obj holds all of it");
     story.write("normals.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
     let report = story.json("remesh normals.obj -o out.obj --base-vertices 20 --levels 1 --json");
     assert_eq!(report["warnings"], serde_json::json!([]), "normals alone are no loss");

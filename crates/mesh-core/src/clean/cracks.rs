@@ -26,6 +26,10 @@ pub(super) fn close_cracks(mesh: &mut EditableMesh, options: &CleanOptions, repo
     for v in mesh.faces.iter_mut().flatten() {
         *v = *merged.get(v).unwrap_or(v);
     }
+    // Vertices still have the numbers of the soup here.
+    for v in &mut mesh.merged_into {
+        *v = merged.get(&VertexId(*v)).map_or(*v, |w| w.0);
+    }
     let collapsed: IdVec<_, bool> = mesh.faces.iter().map(|&[a, b, c]| a == b || b == c || c == a).collect();
     report.collapsed += mesh.drop_faces(&collapsed);
 }

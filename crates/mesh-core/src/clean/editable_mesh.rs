@@ -12,6 +12,8 @@ pub(super) struct EditableMesh {
     pub(super) positions: IdVec<VertexId, DVec3>,
     /// Vertex of the soup.
     pub(super) source_vertex: IdVec<VertexId, u32>,
+    /// For every vertex of the soup the one that it was merged into; itself where it was not.
+    pub(super) merged_into: Vec<u32>,
     pub(super) faces: IdVec<FaceId, [VertexId; 3]>,
     /// Triangle of the soup.
     pub(super) source_face: IdVec<FaceId, u32>,

@@ -12,6 +12,7 @@ mod mend;
 mod needles;
 mod orient;
 mod pairing;
+mod provenance;
 mod repeats;
 mod report;
 mod split;
@@ -37,6 +38,11 @@ pub struct Cleaned {
     pub source_face: IdVec<FaceId, u32>,
     /// For every vertex the (first) vertex of the soup that it is; for one in the middle of a split edge, an end of this edge.
     pub source_vertex: IdVec<VertexId, u32>,
+    /// For every triangle of the soup the (first) face that it is or that lies in it; `None` where a repair took it away.
+    pub face_of: Vec<Option<FaceId>>,
+    /// For every vertex of the soup the vertex that it is or was merged into; `None` where no face is left that uses it. Of several copies,
+    /// made where leaves meet, it is one of a face that lies in a triangle of this vertex.
+    pub vertex_of: Vec<Option<VertexId>>,
     /// What was repaired.
     pub report: CleanReport,
 }
@@ -140,9 +146,8 @@ fn finish(edited: EditableMesh, soup: &Soup, mut report: CleanReport) -> Result<
             without_area: report.collapsed + report.zero_area_dropped,
         });
     }
-    // Vertices in the middle of split edges are none of the soup's.
-    let stayed = |&(v, &source): &(VertexId, &u32)| edited.positions[v] == soup.positions[source as usize];
-    let mut sources: Vec<u32> = edited.source_vertex.enumerate().filter(stayed).map(|(_, &source)| source).collect();
+    let stayed = provenance::stayed(&edited, soup);
+    let mut sources: Vec<u32> = edited.source_vertex.enumerate().filter(|&(v, _)| stayed[v]).map(|(_, &source)| source).collect();
     let in_place = sources.len();
     sources.sort_unstable();
     sources.dedup();
@@ -150,8 +155,11 @@ fn finish(edited: EditableMesh, soup: &Soup, mut report: CleanReport) -> Result<
     report.vertex_copies = in_place - kept;
     report.unused_vertices = soup.positions.len() - report.merged_exactly - report.merged_by_tolerance - kept;
     report.turned = edited.turned.iter().filter(|&&t| t).count();
+    let face_of = provenance::face_of(&edited, soup);
+    let vertex_of = provenance::vertex_of(&edited, soup, &stayed);
     let faces = edited.faces.iter().map(|f| f.map(|v| v.0)).collect();
     let mesh = TriMesh::new(edited.positions.into_vec(), faces)?;
     let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
-    Ok(Cleaned { mesh, topology, source_face: edited.source_face, source_vertex: edited.source_vertex, report })
+    let EditableMesh { source_face, source_vertex, .. } = edited;
+    Ok(Cleaned { mesh, topology, source_face, source_vertex, face_of, vertex_of, report })
 }

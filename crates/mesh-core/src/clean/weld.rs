@@ -29,6 +29,7 @@ pub(super) fn weld(soup: &Soup, report: &mut CleanReport) -> EditableMesh {
         }
     }
     mesh.turned = IdVec::filled(false, mesh.faces.len());
+    mesh.merged_into = merged;
     mesh
 }
 

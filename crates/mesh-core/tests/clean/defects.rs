@@ -259,3 +259,24 @@ fn source_faces_name_triangles_of_the_soup() {
     assert_eq!(cleaned.source_face.as_slice(), (0..24).collect::<Vec<_>>());
     assert_eq!(cleaned.mesh.face(FaceId(0)).len(), 3);
 }
+
+/// Two cubes that share a wall, as single triangles: the wall's vertices have a copy for each cube, and each triangle's own vertex
+/// is one of the cube that it belongs to. A triangle out of range, a needle and a vertex of nothing are in no face.
+#[test]
+fn every_element_of_the_soup_has_its_own_or_none() {
+    let mut soup = voxels(&[[0, 0, 0], [1, 0, 0]], true);
+    let (n, free) = (soup.triangles.len(), soup.positions.len());
+    soup.positions.extend([DVec3::splat(9.0), DVec3::NAN]);
+    soup.triangles.extend([[0, 1, 99], [0, 1, 0], [0, 1, free as u32 + 1]]);
+    let cleaned = cleaned(&soup);
+    assert_eq!(n_components(&cleaned), 2);
+    assert!(cleaned.face_of[..n].iter().all(Option::is_some) && cleaned.face_of[n..].iter().all(Option::is_none));
+    assert_eq!(cleaned.vertex_of[free..], [None, None]);
+    let (part, _) = cleaned.topology.components();
+    for (t, face) in cleaned.face_of[..n].iter().enumerate() {
+        let face = face.unwrap();
+        let corners = soup.triangles[t].map(|v| cleaned.vertex_of[v as usize].unwrap());
+        let of_corner = corners.map(|v| part[cleaned.topology.fan(v).next().unwrap().face()]);
+        assert!(of_corner == [part[face]; 3], "triangle {t}");
+    }
+}

@@ -34,11 +34,49 @@ pub(crate) fn check(soup: &Soup, cleaned: &Cleaned) {
             assert_eq!(source, face);
         }
     }
+    check_provenance(soup, cleaned);
     let flat = mesh.faces().ids().filter(|&f| {
         let [a, b, c] = mesh.triangle(f);
         exact::collinear(a, b, c)
     });
     assert_eq!(flat.count(), 0);
+}
+
+/// Both ways between soup and mesh agree.
+fn check_provenance(soup: &Soup, cleaned: &Cleaned) {
+    let Cleaned { mesh, source_face, source_vertex, face_of, vertex_of, report, .. } = cleaned;
+    assert_eq!((face_of.len(), vertex_of.len()), (soup.triangles.len(), soup.positions.len()));
+    for (f, &source) in source_face.enumerate() {
+        let first = face_of[source as usize].expect("a triangle with a face");
+        assert!(first <= f && source_face[first] == source);
+    }
+    assert_eq!(face_of.iter().flatten().count(), face_of.iter().flatten().collect::<std::collections::BTreeSet<_>>().len());
+    let tolerance = CleanOptions::default().weld_tolerance * soup_diagonal(soup);
+    for (i, vertex) in vertex_of.iter().enumerate() {
+        let Some(v) = *vertex else { continue };
+        let merged = soup.positions[source_vertex[v] as usize];
+        assert!(mesh.position(v) == merged && merged.distance(soup.positions[i]) <= tolerance, "{i}");
+    }
+    for &s in source_vertex.as_slice() {
+        assert!(vertex_of[s as usize].is_some(), "{s}");
+    }
+    // Where faces keep their corners, so do they by number.
+    if report.zero_area_flipped + report.split_edges == 0 {
+        for (f, &source) in source_face.enumerate() {
+            let mut corners = mesh.face(f).map(|v| source_vertex[v]);
+            let mut named =
+                soup.triangles[source as usize].map(|v| source_vertex[vertex_of[v as usize].expect("a vertex of a face")]);
+            corners.sort_unstable();
+            named.sort_unstable();
+            assert_eq!(corners, named);
+        }
+    }
+}
+
+/// Of what can be computed with.
+fn soup_diagonal(soup: &Soup) -> f64 {
+    let used = soup.positions.iter().filter(|p| p.is_finite() && p.abs().max_element() <= 1e75).copied();
+    mesh_core::Bounds::of(used).map_or(0.0, |bounds| bounds.diagonal())
 }
 
 pub(crate) fn volume(mesh: &TriMesh) -> f64 {

@@ -43,6 +43,12 @@ impl<'a> Buffers<'a> {
         self.data.iter().map(|d| d.len()).sum()
     }
 
+    /// The bytes of a view, `None` where it is not there or reaches past its buffer.
+    pub(super) fn view(&self, view: Index<buffer::View>) -> Option<&[u8]> {
+        let view = self.root.get(view)?;
+        slice(self.data.get(view.buffer.value())?, view.byte_offset.unwrap_or_default().0, view.byte_length.0)
+    }
+
     /// `count` elements of `size` bytes, `offset` bytes after the start of a view. All bounds are checked here.
     pub(super) fn elements(&self, view: Index<buffer::View>, offset: u64, count: u64, size: usize) -> Result<Strided<'_>, Fault> {
         let outside = || Fault::data("gltf: an accessor reaches past the end of its buffer");

@@ -1,15 +1,31 @@
 //! The node hierarchy of a glTF file.
 
+use crate::Labels;
 use crate::error::Fault;
 use glam::{DMat4, DQuat, DVec3, Quat, Vec3};
 use gltf_json::{Index, Mesh, Node, Root};
 
-/// Every use of a mesh in the scene, with its transform, in the order of the nodes (parents before children).
+/// A use of a mesh in the scene.
+pub(super) struct Instance<'a> {
+    pub(super) mesh: &'a Mesh,
+    /// The number of the mesh in the file.
+    pub(super) number: usize,
+    /// From its coordinates to those of the scene.
+    pub(super) transform: DMat4,
+    /// The name of its node, or its own.
+    pub(super) name: Option<&'a str>,
+    /// The index of that name in the document.
+    pub(super) object: u32,
+}
+
+/// Every use of a mesh in the scene, in the order of the nodes (parents before children).
 ///
 /// The scene is the default one, else the first, else all nodes without parent, else all meshes where they are.
-pub(super) fn instances(root: &Root) -> Result<Vec<(&Mesh, DMat4)>, Fault> {
+pub(super) fn instances(root: &Root) -> Result<Vec<Instance<'_>>, Fault> {
     if root.nodes.is_empty() {
-        return Ok(root.meshes.iter().map(|mesh| (mesh, DMat4::IDENTITY)).collect());
+        let alone =
+            |(number, mesh)| Instance { mesh, number, transform: DMat4::IDENTITY, name: mesh_name(mesh), object: Labels::NONE };
+        return Ok(root.meshes.iter().enumerate().map(alone).collect());
     }
     let mut found = Vec::new();
     let mut seen = vec![false; root.nodes.len()];
@@ -23,12 +39,18 @@ pub(super) fn instances(root: &Root) -> Result<Vec<(&Mesh, DMat4)>, Fault> {
             Some(local) => parent * local,
             None => parent,
         };
-        if let Some(mesh) = node.mesh {
-            found.push((root.get(mesh).ok_or_else(|| Fault::data("gltf: a mesh that does not exist"))?, transform));
+        if let Some(index) = node.mesh {
+            let mesh = root.get(index).ok_or_else(|| Fault::data("gltf: a mesh that does not exist"))?;
+            let name = node.name.as_deref().or(mesh_name(mesh));
+            found.push(Instance { mesh, number: index.value(), transform, name, object: Labels::NONE });
         }
         stack.extend(node.children.iter().flatten().rev().map(|&child| (child, transform)));
     }
     Ok(found)
+}
+
+fn mesh_name(mesh: &Mesh) -> Option<&str> {
+    mesh.name.as_deref()
 }
 
 fn top_nodes(root: &Root) -> Result<Vec<Index<Node>>, Fault> {

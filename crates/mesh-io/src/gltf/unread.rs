@@ -1,13 +1,13 @@
-//! What a glTF file holds that is not read.
+//! What a glTF file holds beside triangles, named.
 
+use super::scene::Instance;
 use crate::extra::{Extra, Extras};
-use glam::DMat4;
+use gltf_json::Root;
 use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked;
-use gltf_json::{Mesh, Root};
 
 /// Notes what the file and the meshes of its scene have beside positions and triangles.
-pub(super) fn note(root: &Root, instances: &[(&Mesh, DMat4)], extras: &mut Extras) {
+pub(super) fn note(root: &Root, instances: &[Instance<'_>], extras: &mut Extras) {
     extras.note(Extra::Materials(root.materials.len()));
     extras.note(Extra::Textures(root.textures.len()));
     extras.note(Extra::OtherScenes(root.scenes.len().saturating_sub(1)));
@@ -16,7 +16,7 @@ pub(super) fn note(root: &Root, instances: &[(&Mesh, DMat4)], extras: &mut Extra
     let named =
         |node: &&gltf_json::Node| node.mesh.and_then(|mesh| node.name.as_ref().or(root.get(mesh)?.name.as_ref())).is_some();
     extras.note(Extra::Parts(root.nodes.iter().filter(named).count()));
-    for primitive in instances.iter().flat_map(|(mesh, _)| &mesh.primitives) {
+    for primitive in instances.iter().flat_map(|instance| &instance.mesh.primitives) {
         note_primitive(primitive, extras);
     }
 }

@@ -55,15 +55,15 @@ pub(super) struct Header {
     pub(super) length: usize,
     /// Number of lines.
     pub(super) lines: usize,
-    /// Number of comments that name a texture image, as MeshLab writes them.
-    pub(super) textures: usize,
+    /// Texture images that comments name, as MeshLab writes them.
+    pub(super) textures: Vec<String>,
 }
 
 impl Header {
     pub(super) fn parse(bytes: &[u8]) -> Result<Self, Fault> {
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
-        let (mut length, mut textures) = (0, 0);
+        let (mut length, mut textures) = (0, Vec::new());
         for (i, raw) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
             let line = i + 1;
             length += raw.len();
@@ -82,7 +82,7 @@ impl Header {
                     let encoding = encoding.ok_or_else(|| Fault::line(line, "the header has no line \"format\""))?;
                     return Ok(Self { encoding, elements, length, lines: line, textures });
                 }
-                ["comment", "TextureFile", ..] => textures += 1,
+                ["comment", "TextureFile", ref name @ ..] => textures.push(name.join(" ")),
                 [] | ["comment" | "obj_info", ..] => {}
                 [word, ..] => return Err(Fault::line(line, format!("{} is no header line of ply", quoted(word)))),
             }

@@ -2,8 +2,10 @@
 
 use crate::{check_refused, document, small_tetrahedron};
 use glam::DVec3;
+use mesh_core::TriMesh;
 use mesh_io::Format::{Glb, Gltf};
-use mesh_io::{Document, read, read_bytes, write_bytes};
+use mesh_io::{Attributes, Document, Level, Settings, WriteError, read, read_bytes, write_bytes, write_levels};
+use std::path::Path;
 
 /// A 1 x 1 square of 4 points, (0 0 0) (1 0 0) (0 1 0) (1 1 0), then the indices 0 1 2 3 as u16, as a base64 data URI.
 fn square_buffer() -> String {
@@ -191,4 +193,36 @@ fn a_small_file_that_unfolds_to_a_giant_is_refused() {
     assert_eq!(document(&text, Gltf).soup.triangles.len(), 2_000);
     let many = text.replacen("\"count\":4", "\"count\":100000", 1);
     check_refused(many, Gltf, None, "unfolds to 200006000 vertices and corners");
+}
+
+/// A triangle and its subdivision: what knows no levels of detail reads the finest one, and each is a mesh by name.
+#[test]
+fn levels_are_meshes_of_one_file() {
+    let positions = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let coarse = TriMesh::from_slices(&positions[..3], &[[0, 1, 2]]).unwrap();
+    let fine = TriMesh::from_slices(&positions, &[[0, 3, 5], [1, 4, 3], [2, 5, 4], [4, 5, 3]]).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let attributes = Attributes::default();
+    let write = |path: &Path, levels: &[&TriMesh]| {
+        let settings = Settings { attributes: &attributes, lines: &[] };
+        write_levels(path, &levels.iter().map(|mesh| Level { mesh, settings }).collect::<Vec<_>>())
+    };
+    for name in ["levels.glb", "levels.gltf"] {
+        let path = folder.path().join(name);
+        write(&path, &[&coarse, &fine]).unwrap();
+        assert_eq!(read(&path).unwrap().soup, fine.to_soup());
+    }
+    let json: gltf_json::Root = gltf_json::Root::from_slice(&std::fs::read(folder.path().join("levels.gltf")).unwrap()).unwrap();
+    let names: Vec<_> = json.meshes.iter().map(|mesh| mesh.name.clone().unwrap()).collect();
+    assert_eq!((names, json.extensions_used), (vec!["level 1".to_owned(), "level 0".to_owned()], vec!["MSFT_lod".to_owned()]));
+    // The coarse one alone, as a scene of its own.
+    let text = std::fs::read_to_string(folder.path().join("levels.gltf")).unwrap();
+    let coarse_alone = document(text.replace(r#""scenes":[{"nodes":[0]}]"#, r#""scenes":[{"nodes":[1]}]"#), Gltf);
+    assert_eq!(coarse_alone.soup, coarse.to_soup());
+    assert!(matches!(write(&folder.path().join("a.obj"), &[&fine]), Err(WriteError::OneLevel { .. })));
+    let moved = coarse.with_positions(coarse.positions().iter().map(|p| *p + 1.0).collect()).unwrap();
+    for (levels, level) in [(vec![], 0), (vec![&moved, &fine], 0), (vec![&coarse, &fine, &coarse], 1)] {
+        let refused = write(&folder.path().join("a.glb"), &levels);
+        assert!(matches!(refused, Err(WriteError::NoLevel { level: l }) if l == level), "{refused:?}");
+    }
 }

@@ -1,5 +1,6 @@
 //! One binary for all tests of the public interface.
 
+mod attributes;
 mod extras;
 /// What fuzzing asks of any bytes, so that it stays true of the code of today.
 #[path = "../../../../fuzz/src/lib.rs"]
@@ -24,7 +25,7 @@ fn document(contents: impl AsRef<[u8]>, format: Format) -> Document {
 
 /// The document as if the file held nothing else.
 fn without_extras(document: Document) -> Document {
-    Document { extras: Vec::new(), ..document }
+    Document { extras: Vec::new(), attributes: mesh_io::Attributes::default(), ..document }
 }
 
 /// Checks that the contents are refused with an error that names `line` (`None` for binary) and says `what`.

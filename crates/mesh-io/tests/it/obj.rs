@@ -87,7 +87,8 @@ fn layouts_that_files_have() {
         let Document { soup, polygon_of, .. } = document(&text, Obj);
         assert_eq!((soup, polygon_of), (plain.soup.clone(), plain.polygon_of.clone()), "{text:?}");
     }
-    assert_eq!(document([b"o caf\xe9\n", SQUARE.as_bytes(), b"f 1 2 3"].concat(), Obj), plain);
+    let named = document([b"o caf\xe9\n", SQUARE.as_bytes(), b"f 1 2 3"].concat(), Obj);
+    assert_eq!((&named.soup, named.attributes.objects.name(0)), (&plain.soup, Some("caf\u{fffd}")));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::small_tetrahedron;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use mesh_io::{Format, ReadError, WriteError, read, write, write_bytes};
+use mesh_io::{Format, ReadError, WriteError, read, read_from, readable_format, write, write_bytes};
 use std::fs;
 use std::io::Write as _;
 use std::path::PathBuf;
@@ -98,4 +98,28 @@ fn writing_compressed_is_refused_in_words() {
     let error = write(&folder.path().join("out.obj.gz"), &small_tetrahedron()).unwrap_err();
     assert!(matches!(error, WriteError::Packed { .. }) && error.to_string().contains("leave .gz off"), "{error}");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_stream_is_read_packed_or_not() {
+    for format in Format::ALL {
+        let bytes = write_bytes(&small_tetrahedron(), format).unwrap();
+        let plain = read_from(&mut bytes.as_slice(), "standard input", format).unwrap();
+        let packed = read_from(&mut gz(&bytes).as_slice(), "standard input", format).unwrap();
+        assert_eq!((plain.soup.triangles.len(), plain == packed), (4, true), "{format:?}");
+    }
+}
+
+#[test]
+fn a_fault_of_a_stream_has_its_name() {
+    let said = |bytes: &[u8]| read_from(&mut &*bytes, "standard input", Format::Obj).unwrap_err().to_string();
+    assert!(said(b"v 0 0 0\nv 0 zero 0\n").starts_with("standard input:2: \"zero\" is not a number"));
+    assert!(said(&gz(b"v 0 0 0\n")[..12]).starts_with("standard input: the gz file is cut off"));
+}
+
+#[test]
+fn a_name_tells_the_format_that_is_read() {
+    assert_eq!(readable_format("a.b/scan.PLY.gz".as_ref()), Some(Format::Ply));
+    assert_eq!(readable_format("scan.off".as_ref()), Some(Format::Off));
+    assert_eq!(readable_format("scan.gz".as_ref()), None);
 }

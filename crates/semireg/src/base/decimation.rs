@@ -6,7 +6,7 @@ use basemesh::BaseOptions;
 use region_map::{BaseMesh, Sizing, Surface};
 
 /// Decimates the working mesh to about `wanted` vertices.
-pub(super) fn decimation(surface: &Surface, sizing: &Sizing, wanted: usize, run: &mut Run) -> Result<BaseMesh, Error> {
-    let options = BaseOptions { base_vertices: wanted, ..Default::default() };
+pub(super) fn decimation(surface: &Surface, sizing: &Sizing, wanted: usize, seed: u64, run: &mut Run) -> Result<BaseMesh, Error> {
+    let options = BaseOptions { base_vertices: wanted, seed, ..Default::default() };
     run.stage("decimate", || basemesh::decimate(surface, sizing, &options))
 }

@@ -85,7 +85,7 @@ impl<'a> Ground<'a> {
     /// The base mesh of a way.
     pub(super) fn rated(&self, way: Way, run: &mut Run) -> Result<Rated, Error> {
         if way == Way::Decimation {
-            let base = decimation(self.base_surface(), &self.sizing, self.wanted, run)?;
+            let base = decimation(self.base_surface(), &self.sizing, self.wanted, self.options.seed, run)?;
             return self.searched(way, base, run);
         }
         let patches = patches(self.base_surface(), &self.sizing, self.wanted, &Style::improved(), self.options.seed, run)?;

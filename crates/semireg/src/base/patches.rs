@@ -79,7 +79,7 @@ pub(super) fn patches(
         let cvt = CvtOptions { base_vertices: n_sites, seed, ..Default::default() };
         let sampled = run.stage("sample", || segment_cvt::sample(surface, &cells, &Sizing::uniform(mesh), &cvt))?;
         let max_shrunk = if rounds < SPLITTING_ROUNDS { BaseOptions::default().max_shrunk } else { 1.0 };
-        let base_options = BaseOptions { base_vertices: wanted, rounds: improvement, max_shrunk };
+        let base_options = BaseOptions { base_vertices: wanted, rounds: improvement, max_shrunk, ..Default::default() };
         rounds += 1;
         match run.stage("base", || basemesh::build(surface, &cells, &sampled.sites, sizing, &base_options)) {
             Ok(base) => {

@@ -36,7 +36,7 @@ pub(crate) fn paper_finished(
     let certified = certified(&input.reference, &candidate, &without_fit, run, &mut warnings);
     let Projected { domain, report } = projected;
     let starts = Starts { subdivided: subdivided.domain.mesh, projected: domain.mesh, project: report };
-    Ok(assembled(input, stages, starts, candidate, certified.map_err(|e| on_its_base(e, stages))?, warnings))
+    Ok(assembled(input, stages, starts, candidate, certified.map_err(|e| on_its_base(e, stages))?, options, warnings))
 }
 
 /// The finest level of a base mesh, and how it is to be placed.

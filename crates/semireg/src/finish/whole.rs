@@ -32,7 +32,7 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
     let certified = certified.map_err(|e| on_its_base(e, stages))?;
-    Ok(assembled(input, stages, Starts { subdivided, projected, project }, candidate, certified, warnings))
+    Ok(assembled(input, stages, Starts { subdivided, projected, project }, candidate, certified, options, warnings))
 }
 
 /// The finest level before its relaxation.
@@ -49,12 +49,15 @@ pub(super) fn assembled(
     starts: Starts,
     candidate: Candidate,
     certified: Certified,
+    options: &Options,
     warnings: Vec<String>,
 ) -> Remeshed {
     let Certified { domain, offsets, fit, certificate } = certified;
     let edge = certify::mean_edge(&domain.mesh);
     let sharp_edges = SharpEdges::new(&input.cleaned.mesh, edge).cover(&domain.mesh);
-    let shortcomings = Shortcoming::all(&certificate.measures, sharp_edges, edge / input.cleaned.mesh.diagonal());
+    // Who wants no creases does not miss them.
+    let wanted = sharp_edges.filter(|_| options.features.finds_creases());
+    let shortcomings = Shortcoming::all(&certificate.measures, wanted, edge / input.cleaned.mesh.diagonal());
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -74,7 +77,8 @@ pub(super) fn assembled(
     };
     let base = BaseStages { base: candidate.base, counts: candidate.counts, ..stages.clone() };
     let Starts { subdivided, projected, .. } = starts;
-    let stages = Stages { base, subdivided, projected, surface: candidate.surface, region: domain.region, offsets };
+    let (surface, source_face) = (candidate.surface, input.source_face.clone());
+    let stages = Stages { base, subdivided, projected, surface, source_face, region: domain.region, offsets };
     Remeshed { mesh: domain.mesh, report, stages }
 }
 

@@ -6,7 +6,7 @@ use super::size::default_base_vertices;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::Reference;
-use mesh_core::{Cleaned, Soup, VertexId, equilateral_edge_length};
+use mesh_core::{Cleaned, FaceId, IdVec, Soup, VertexId, equilateral_edge_length};
 use refine::{RefineOptions, Refined};
 use region_map::{ArcKind, Network, Surface};
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub(crate) struct Input {
     pub(crate) reference: Reference,
     /// The working mesh: the same surface in triangles that are not in the way. Its only arcs are its borders, until features are detected.
     pub(crate) working: Surface,
+    /// For every face of the working mesh the face of the cleaned mesh that it lies in.
+    pub(crate) source_face: Arc<IdVec<FaceId, FaceId>>,
     /// The user's marked edges in the working mesh, and those along which its sheets touch.
     pub(crate) marked: Vec<[VertexId; 2]>,
     /// The base mesh that the options give, if they do.
@@ -53,12 +55,13 @@ impl Input {
             ..RefineOptions::new(LONGEST_EDGE * base_edge)
         };
         let refined = run.stage("refine", || refine::refine(&cleaned.mesh, &cleaned.topology, &marked, &refine_options))?;
-        let Refined { mesh, topology, marked, .. } = refined;
+        let Refined { mesh, topology, marked, source_face, .. } = refined;
         let borders = ArcKind::by_angle(&mesh, &topology, f64::INFINITY);
         let network = Network::trace(&mesh, &topology, &borders, |_| false, Vec::new())?;
         let working = Surface::new(mesh, topology, network)?.with_interrupt(interrupt.clone());
         let reference = Reference::new(cleaned.mesh.clone())?.with_interrupt(interrupt);
-        Ok(Self { cleaned: Arc::new(cleaned), reference, working, marked, given, asked })
+        let (cleaned, source_face) = (Arc::new(cleaned), Arc::new(source_face));
+        Ok(Self { cleaned, reference, working, source_face, marked, given, asked })
     }
 
     /// The mean edge length of the base mesh that was asked for.

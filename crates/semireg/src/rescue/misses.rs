@@ -35,8 +35,8 @@ pub(crate) fn followed(
     let mut best = finish(start.clone(), run)?;
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
     let (n_faults, mut now) = (best.n_faults(), start);
-    let sharp = SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh));
-    let missed = |candidate: &Candidate| missed(input, &sharp, &candidate.relaxed.domain.mesh);
+    let sharp = options.features.finds_creases().then(|| SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh)));
+    let missed = |candidate: &Candidate| missed(input, sharp.as_ref(), &candidate.relaxed.domain.mesh);
     let mut last = missed(&best);
     let mut least = last.badness();
     for _ in 0..ROUNDS {
@@ -77,12 +77,12 @@ impl Misses {
     }
 }
 
-fn missed(input: &Reference, sharp: &SharpEdges, mesh: &TriMesh) -> Misses {
+fn missed(input: &Reference, sharp: Option<&SharpEdges>, mesh: &TriMesh) -> Misses {
     let accepted = MARGIN * accepted_distance(input.diagonal(), mean_edge(mesh));
     let far = certify::missed(input, mesh, accepted);
     // On an input that cuts itself the result must do so, too, in triangles of its own.
     let cuts = if input.self_intersecting().is_empty() { certify::self_intersecting(mesh) } else { Vec::new() };
-    let mut faces = [far.faces, sharp.missed(mesh), cuts].concat();
+    let mut faces = [far.faces, sharp.map(|sharp| sharp.missed(mesh)).unwrap_or_default(), cuts].concat();
     faces.sort_unstable();
     faces.dedup();
     Misses { faces, greatest: far.greatest / accepted }
