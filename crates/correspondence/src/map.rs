@@ -4,7 +4,8 @@ use crate::levels::Levels;
 use crate::result::nearest_points;
 use crate::source::{Finder, Over, Start};
 use crate::{CorrespondenceError, FaceOrder, Prolongation, Source};
-use mesh_core::{FaceId, Id as _, IdVec, TriMesh, VertexId};
+use glam::DVec3;
+use mesh_core::{FaceId, Id as _, IdVec, TriMesh, VertexId, vector_area};
 use rayon::prelude::*;
 
 /// Where everything of the result is on the input, and the other way round; and how levels hang together.
@@ -50,8 +51,9 @@ impl Map {
         check(source, result, starts)?;
         let levels = Levels::new(result, levels)?;
         let finder = Finder::new(source);
-        let over = |v: usize| finder.over(starts[VertexId::new(v)], result.position(VertexId::new(v)));
-        let over: Vec<Over> = (0..result.n_vertices()).into_par_iter().map(over).collect();
+        let normals = vertex_normals(result);
+        let over = |v: VertexId| finder.over(starts[v], result.position(v), normals[v]);
+        let over: Vec<Over> = (0..result.n_vertices()).into_par_iter().map(|v| over(VertexId::new(v))).collect();
         let cleaned_face = over.iter().map(|o| o.face).collect();
         let points = nearest_points(source.cleaned, result, &cleaned_face);
         let on_result: Vec<_> = source.cleaned.vertex_of.iter().map(|v| v.and_then(|v| points[v])).collect();
@@ -73,6 +75,16 @@ impl Map {
             parents,
         })
     }
+}
+
+/// Unit normals at the vertices of a mesh, weighted by area; 0 where they have no direction.
+fn vertex_normals(mesh: &TriMesh) -> IdVec<VertexId, DVec3> {
+    let mut sums = IdVec::filled(DVec3::ZERO, mesh.n_vertices());
+    for f in mesh.faces().ids() {
+        let area = vector_area(mesh.triangle(f));
+        mesh.face(f).into_iter().for_each(|v| sums[v] += area);
+    }
+    sums.iter().map(|sum| sum.normalize_or_zero()).collect()
 }
 
 fn check(source: &Source, result: &TriMesh, starts: &IdVec<VertexId, Start>) -> Result<(), CorrespondenceError> {

@@ -65,12 +65,12 @@ impl<'a> Finder<'a> {
         Self { soup, cleaned, part, reached: REACHED * cleaned.mesh.diagonal(), index: OnceLock::new() }
     }
 
-    /// What a vertex at `p` is over.
+    /// What a vertex at `p` is over, where the result has this unit normal.
     ///
     /// The search goes from face to face, first downhill to where the vertex is on the surface, then to where that is nearest to `p`. So it
     /// never jumps to another sheet in the same place. The second way crosses no edge to a face that faces against the first.
-    pub(crate) fn over(&self, start: Start, p: DVec3) -> Over {
-        let on_surface = self.on_surface(start);
+    pub(crate) fn over(&self, start: Start, p: DVec3, normal: DVec3) -> Over {
+        let on_surface = self.on_surface(start, normal);
         let facing = self.cleaned.mesh.normal(on_surface);
         let agrees = |f: FaceId| self.cleaned.mesh.normal(f).dot(facing) > 0.0;
         let nearest = self.downhill(on_surface, p, agrees);
@@ -79,17 +79,16 @@ impl<'a> Finder<'a> {
 
     /// The face where a start is on the surface.
     ///
-    /// The way may end before a hole of a plane, in which the start has a face on the other side. Then it goes on from the nearest face of the
-    /// same part that faces as the start does.
-    fn on_surface(&self, start: Start) -> FaceId {
+    /// The way may end before a hole of a plane, in which the start has a face on the other side, or beside a rim that a flip went across. Then it
+    /// goes on from the nearest face of the same part that faces as the result does there.
+    fn on_surface(&self, start: Start, normal: DVec3) -> FaceId {
         let found = self.downhill(start.face, start.position, |_| true);
         let left = self.nearest(found, start.position).0;
         if left <= self.reached {
             return found;
         }
         let (mesh, index) = (&self.cleaned.mesh, self.index.get_or_init(|| SurfaceIndex::new(&self.cleaned.mesh)));
-        let facing = mesh.normal(start.face);
-        let may_be = |f: FaceId| self.part[f] == self.part[start.face] && mesh.normal(f).dot(facing) > SAME_WAY;
+        let may_be = |f: FaceId| self.part[f] == self.part[start.face] && mesh.normal(f).dot(normal) > SAME_WAY;
         index.closest_within_where(start.position, left, may_be).map_or(found, |closest| closest.face)
     }
 
