@@ -5,11 +5,10 @@ use crate::models::{LEVELS, files};
 use crate::process::{cargo, must, target_directory};
 use crate::remesher::{Outcome, Remesher, Request};
 use crate::root;
-use anyhow::{Result, anyhow};
+use crate::workers::on_all_processors;
+use anyhow::Result;
 use std::fs;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::Duration;
 
 #[derive(clap::Args)]
@@ -50,29 +49,12 @@ pub(crate) fn run(args: &Args) -> Result<()> {
 
 /// What came of each, as many at a time as there are processors.
 fn remeshed(remesher: &Remesher, names: &[String]) -> Result<Vec<Outcome>> {
-    let next = AtomicUsize::new(0);
-    let work = || -> Result<Vec<(usize, Outcome)>> {
-        let mut done = Vec::new();
-        loop {
-            let i = next.fetch_add(1, Ordering::Relaxed);
-            let Some(name) = names.get(i) else { return Ok(done) };
-            let input = root().join("fixtures/data").join(name);
-            let outcome = remesher.run(&Request { threads: Some(1), ..Request::of(&input) })?;
-            println!("{}", outcome.row(name));
-            done.push((i, outcome));
-        }
-    };
-    let processors = thread::available_parallelism().map_or(1, |n| n.get());
-    let mut done = thread::scope(|scope| -> Result<Vec<(usize, Outcome)>> {
-        let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
-        let mut done = Vec::new();
-        for worker in workers {
-            done.extend(worker.join().map_err(|_| anyhow!("a worker of gallery panicked"))??);
-        }
-        Ok(done)
-    })?;
-    done.sort_by_key(|(i, _)| *i);
-    Ok(done.into_iter().map(|(_, outcome)| outcome).collect())
+    on_all_processors(names, |name| {
+        let input = root().join("fixtures/data").join(name);
+        let outcome = remesher.run(&Request { threads: Some(1), ..Request::of(&input) })?;
+        println!("{}", outcome.row(name));
+        Ok(outcome)
+    })
 }
 
 fn row(name: &str, outcome: &Outcome) -> Vec<String> {

@@ -15,6 +15,7 @@ mod remesher;
 mod results;
 mod tidy;
 mod torture;
+mod workers;
 
 use clap::{Parser, Subcommand};
 use std::path::{Path, PathBuf};

@@ -11,11 +11,10 @@ use crate::models::{files, split_named};
 use crate::process::target_directory;
 use crate::remesher::{HEADER, LIMIT, Outcome, Remesher, Request};
 use crate::root;
-use anyhow::{Result, anyhow, bail};
+use crate::workers::on_all_processors;
+use anyhow::{Result, bail};
 use expected::Expected;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::Duration;
 
 #[derive(clap::Args, Default)]
@@ -116,26 +115,13 @@ fn fixtures(remesher: &Remesher, target: &Path, args: &Args) -> Result<Vec<Strin
 /// As many models at a time as there are processors, each on one thread; rows are printed as they come.
 fn models(remesher: &Remesher, folder: &Path, files: Vec<String>, fault: fn(&Outcome) -> Option<String>) -> Result<Vec<String>> {
     println!("\n{} models, each remeshed and checked\n{HEADER}", files.len());
-    let next = AtomicUsize::new(0);
-    let work = || -> Result<Vec<String>> {
-        let mut problems = Vec::new();
-        while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let input = folder.join(file);
-            let request = Request { threads: Some(1), ..Request::of(&input) };
-            let outcome = remesher.run(&request)?;
-            println!("{}", outcome.row(file));
-            let faults = [fault(&outcome), fault(&remesher.base(&request, f64::INFINITY)?)];
-            problems.extend(faults.into_iter().flatten().map(|fault| format!("{file}: {fault}")));
-        }
-        Ok(problems)
-    };
-    let processors = thread::available_parallelism().map_or(1, |n| n.get());
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
-        let mut problems = Vec::new();
-        for worker in workers {
-            problems.extend(worker.join().map_err(|_| anyhow!("a worker of regress panicked"))??);
-        }
-        Ok(problems)
-    })
+    let problems = on_all_processors(&files, |file| {
+        let input = folder.join(file);
+        let request = Request { threads: Some(1), ..Request::of(&input) };
+        let outcome = remesher.run(&request)?;
+        println!("{}", outcome.row(file));
+        let faults = [fault(&outcome), fault(&remesher.base(&request, f64::INFINITY)?)];
+        Ok(faults.into_iter().flatten().map(|fault| format!("{file}: {fault}")).collect::<Vec<_>>())
+    })?;
+    Ok(problems.concat())
 }

@@ -10,14 +10,13 @@ mod summary;
 
 use crate::process::{cargo, must, output, target_directory};
 use crate::remesher::program;
-use anyhow::{Context, Result, anyhow, bail};
+use crate::workers::on_all_processors;
+use anyhow::{Context, Result, bail};
 use judgement::End;
 use run::Runner;
 use solid::{Judged, Solid};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use summary::summary;
 
 #[derive(clap::Args)]
@@ -59,8 +58,7 @@ pub(crate) fn run(args: &Args) -> Result<()> {
     let keep_all = args.keep.is_some() || args.only.is_some();
     let runner = Runner { binary: program(args.binary.as_deref())?, folder: folder.clone(), limit: args.cpu_limit, keep_all };
     let solids = solids(first, count, &folder)?;
-    let mut judged = all(&runner, &solids)?;
-    judged.sort_by_key(|j| j.seed);
+    let judged = all(&runner, &solids)?;
     println!("\n{}", summary(&judged));
     println!("\nfiles are in {}", folder.display());
     match judged.iter().filter(|j| j.end.is_fault()).count() {
@@ -85,26 +83,12 @@ fn solids(first: u64, count: u64, folder: &Path) -> Result<Vec<Solid>> {
 
 /// Runs all, and prints a line for each that is not right as it ends.
 fn all(runner: &Runner, solids: &[Solid]) -> Result<Vec<Judged>> {
-    let next = AtomicUsize::new(0);
-    let work = || -> Result<Vec<Judged>> {
-        let mut judged = Vec::new();
-        while let Some(solid) = solids.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let (end, seconds) = runner.run(solid)?;
-            if !matches!(end, End::Right) || solids.len() == 1 {
-                let Solid { seed, kind, triangles, disturbed, .. } = solid;
-                println!("seed {seed:5} {kind:10} {triangles:>6} triangles {seconds:6.1} s  {end}  {disturbed}");
-            }
-            judged.push(Judged { seed: solid.seed, kind: solid.kind.clone(), end, seconds });
+    on_all_processors(solids, |solid| {
+        let (end, seconds) = runner.run(solid)?;
+        let Solid { seed, kind, triangles, disturbed, .. } = solid;
+        if !matches!(end, End::Right) || solids.len() == 1 {
+            println!("seed {seed:5} {kind:10} {triangles:>6} triangles {seconds:6.1} s  {end}  {disturbed}");
         }
-        Ok(judged)
-    };
-    let processors = thread::available_parallelism().map_or(1, |n| n.get());
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..processors).map(|_| scope.spawn(work)).collect();
-        let mut judged = Vec::new();
-        for worker in workers {
-            judged.extend(worker.join().map_err(|_| anyhow!("a worker of torture panicked"))??);
-        }
-        Ok(judged)
+        Ok(Judged { seed: *seed, kind: kind.clone(), end, seconds })
     })
 }

@@ -34,7 +34,7 @@ const ON_SIDE: f64 = 1e-9;
 /// All corners of a face come from the part of the source around its middle that no cut separates from it (`cuts`, by edges of the cleaned mesh):
 /// a face never has its values from both sides. Where it reaches over a cut, the values of its side go on linearly.
 pub fn correspond(source: &Source, cuts: &IdVec<EdgeId, bool>, mesh: &TriMesh) -> Correspondence {
-    let finder = Finder { source, cuts, index: SurfaceIndex::new(&source.cleaned.mesh), normals: source.cleaned.mesh.normals() };
+    let finder = Finder { source, cuts, index: source.index(), normals: source.cleaned.mesh.normals() };
     let faces: Vec<FaceId> = mesh.faces().ids().collect();
     let found: Vec<Found> = faces.par_iter().map(|&f| finder.find(mesh, f)).collect();
     let triangle = |f: FaceId| source.cleaned.source_face[f];
@@ -54,7 +54,7 @@ struct Found {
 struct Finder<'a> {
     source: &'a Source<'a>,
     cuts: &'a IdVec<EdgeId, bool>,
-    index: SurfaceIndex,
+    index: &'a SurfaceIndex,
     normals: IdVec<FaceId, DVec3>,
 }
 

@@ -1,7 +1,8 @@
 //! [`Source`]: a cleaned mesh that knows the triangles it was made of.
 
 use glam::DVec3;
-use mesh_core::{Cleaned, EdgeId, FaceId, HalfedgeId, IdVec, Soup, closest_on_triangle};
+use mesh_core::{Cleaned, EdgeId, FaceId, HalfedgeId, IdVec, Soup, SurfaceIndex, closest_on_triangle};
+use std::sync::OnceLock;
 
 /// A cleaned mesh, and where the corners of its faces are on the triangles that it was made of.
 #[derive(Debug)]
@@ -9,6 +10,7 @@ pub struct Source<'a> {
     pub(crate) cleaned: &'a Cleaned,
     /// Barycentric coordinates of the corners of each face in its triangle.
     pub(crate) corners: IdVec<FaceId, [DVec3; 3]>,
+    index: OnceLock<SurfaceIndex>,
 }
 
 impl<'a> Source<'a> {
@@ -23,7 +25,12 @@ impl<'a> Source<'a> {
             })
         };
         let corners = cleaned.mesh.faces().ids().map(of_face).collect();
-        Self { cleaned, corners }
+        Self { cleaned, corners, index: OnceLock::new() }
+    }
+
+    /// The index of the cleaned mesh, built when it is first asked for.
+    pub(crate) fn index(&self) -> &SurfaceIndex {
+        self.index.get_or_init(|| SurfaceIndex::new(&self.cleaned.mesh))
     }
 
     /// The edges of the cleaned mesh at which the values on both sides are not the same: further apart than `tolerance` at one of its ends, or there

@@ -5,9 +5,10 @@ use crate::number::{amount, base_vertices, degrees, levels, seed, threads, varia
 use crate::paper_args::PaperArgs;
 use crate::shard::Shard;
 use crate::stream::is_stream;
-use crate::stream_args::{FormatArg, InputStreamArgs, StreamArgs};
+use crate::stream_args::{InputStreamArgs, StreamArgs, formats};
 use crate::talk::Talk;
 use clap::{Parser, Subcommand};
+use mesh_io::Format;
 use semireg::{FaceOrder, Method, Options, PaperOptions};
 use std::path::PathBuf;
 
@@ -90,8 +91,8 @@ pub(crate) struct BatchArgs {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// The format of the results
-    #[arg(long, value_enum, default_value_t = FormatArg::Obj)]
-    pub(crate) format: FormatArg,
+    #[arg(long, value_parser = formats(), default_value = Format::Obj.extension())]
+    pub(crate) format: Format,
     /// Number of files that are remeshed at the same time [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(crate) jobs: Option<u16>,

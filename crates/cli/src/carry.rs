@@ -10,18 +10,6 @@ use std::path::{Component, Path, PathBuf};
 /// Colours and other values on both sides of an edge are the same if they differ by no more than this share of their range.
 const SAME_VALUE: f64 = 1e-6;
 
-/// What `mesh`, made of the document, has of its attributes, as far as a format holds them.
-pub(crate) fn carried(document: &Document, cleaned: &Cleaned, mesh: &TriMesh, format: Format) -> Attributes {
-    let from = wanted(&document.attributes, format);
-    if from == Attributes::default() {
-        return from;
-    }
-    let source = Source::new(&document.soup, cleaned);
-    let at = correspond(&source, &cuts(&source, &from, document), mesh);
-    let carrier = Carrier { mesh, at, triangles: &document.soup.triangles };
-    Attributes { looks: from.looks.clone(), ..carrier.carry(&from) }
-}
-
 /// What a format holds of the attributes. Normals and smoothing groups are those of the new triangles.
 fn wanted(all: &Attributes, format: Format) -> Attributes {
     let (is_ply, is_gltf) = (format == Format::Ply, matches!(format, Format::Gltf | Format::Glb));
@@ -64,14 +52,42 @@ fn cuts(source: &Source, from: &Attributes, document: &Document) -> IdVec<EdgeId
     all.iter().fold(none, |cuts, more| cuts.iter().zip(more.iter()).map(|(a, b)| a | b).collect())
 }
 
-struct Carrier<'a> {
+/// Carries what a document has to meshes that were made of it.
+pub(crate) struct Carrier<'a> {
+    /// What the format of these meshes holds of it.
+    from: Attributes,
+    source: Source<'a>,
+    cuts: IdVec<EdgeId, bool>,
+    triangles: &'a [[u32; 3]],
+}
+
+impl<'a> Carrier<'a> {
+    /// Of a document that was cleaned, to files of a format. `None` where there is nothing to carry.
+    pub(crate) fn new(document: &'a Document, cleaned: &'a Cleaned, format: Format) -> Option<Self> {
+        let from = wanted(&document.attributes, format);
+        if from == Attributes::default() {
+            return None;
+        }
+        let source = Source::new(&document.soup, cleaned);
+        Some(Self { cuts: cuts(&source, &from, document), from, source, triangles: &document.soup.triangles })
+    }
+
+    /// What a mesh has of the attributes.
+    pub(crate) fn carried(&self, mesh: &TriMesh) -> Attributes {
+        let at = correspond(&self.source, &self.cuts, mesh);
+        Carried { mesh, at, triangles: self.triangles }.of(&self.from)
+    }
+}
+
+/// A mesh, and where it is on the input.
+struct Carried<'a> {
     mesh: &'a TriMesh,
     at: Correspondence,
     triangles: &'a [[u32; 3]],
 }
 
-impl Carrier<'_> {
-    fn carry(&self, from: &Attributes) -> Attributes {
+impl Carried<'_> {
+    fn of(&self, from: &Attributes) -> Attributes {
         let layer = |layer: &Vec<[DVec2; 3]>| {
             corner_values(self.mesh, &self.at, &arrays(layer)).into_iter().map(|t| t.map(DVec2::from)).collect()
         };
@@ -88,6 +104,7 @@ impl Carrier<'_> {
             materials: self.labels(&from.materials),
             objects: self.labels(&from.objects),
             groups: self.labels(&from.groups),
+            looks: from.looks.clone(),
             ..Attributes::default()
         }
     }

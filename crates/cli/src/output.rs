@@ -1,6 +1,6 @@
 //! The result with what belongs to it: normals, feature curves, and what the input has.
 
-use crate::carry::{carried, looks};
+use crate::carry::{Carrier, looks};
 use crate::kept::FeaturesArg;
 use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
@@ -9,15 +9,20 @@ use glam::DVec3;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
 use mesh_io::{Attributes, Document, Extra, Format, Level, Looks, Settings};
 use region_map::ArcKind;
-use semireg::Remeshed;
+use semireg::{Levels, Remeshed};
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// What the files of a result are written from.
 pub(crate) struct Writer<'a> {
-    pub(crate) plan: &'a RemeshPlan,
-    pub(crate) document: &'a Document,
-    pub(crate) remeshed: &'a Remeshed,
+    plan: &'a RemeshPlan,
+    document: &'a Document,
+    remeshed: &'a Remeshed,
+    levels: Levels<'a>,
+    /// The files that are written.
+    files: &'a ResultFiles,
+    format: Format,
+    /// `None` where the input has nothing that the files could have.
+    carrier: Option<Carrier<'a>>,
 }
 
 /// A level with what belongs to it.
@@ -31,58 +36,78 @@ impl Dressed {
     fn settings(&self) -> Settings<'_> {
         Settings { attributes: &self.attributes, lines: &self.lines }
     }
+
+    fn level(&self) -> Level<'_> {
+        Level { mesh: &self.mesh, settings: self.settings() }
+    }
 }
 
-impl Writer<'_> {
-    /// Writes the files of a result; returns warnings of what the input has and the output does not. The output comes last: when anything
-    /// fails, there is no result beside the error.
-    pub(crate) fn write(&self, files: &ResultFiles) -> anyhow::Result<Vec<String>> {
-        let outputs = &self.plan.outputs;
+impl<'a> Writer<'a> {
+    /// Makes ready to write the files of a result. Fails where their format is unknown.
+    pub(crate) fn new(
+        plan: &'a RemeshPlan,
+        document: &'a Document,
+        remeshed: &'a Remeshed,
+        files: &'a ResultFiles,
+    ) -> anyhow::Result<Self> {
+        let format = files.output.format()?;
+        let cleaned = &remeshed.stages.base.cleaned;
+        let carrier = if plan.plain { None } else { Carrier::new(document, cleaned, format) };
+        Ok(Self { plan, document, remeshed, levels: remeshed.levels()?, files, format, carrier })
+    }
+
+    /// Writes the files; returns warnings of what the input has and the output does not. The output comes last: when anything fails, there
+    /// is no result beside the error.
+    pub(crate) fn write(&self) -> anyhow::Result<Vec<String>> {
+        let (outputs, files) = (&self.plan.outputs, self.files);
         if let Some(path) = &files.map {
             map_file::write(path, &self.remeshed.map(&self.document.soup, outputs.level, outputs.order)?)?;
         }
-        let format = files.output.format()?;
-        let dressed = |k: u32| self.dressed(k, format, files.output.folder());
-        for (k, path) in files.levels.iter().enumerate() {
-            let level = dressed(k as u32)?;
-            mesh_io::write_with(path, &level.mesh, &level.settings())?;
-        }
-        let finest = match files.output.file().filter(|_| outputs.are_in_one(files)) {
-            Some(path) => {
-                let levels: Vec<Dressed> = (0..=outputs.level).map(dressed).collect::<anyhow::Result<_>>()?;
-                let all: Vec<Level> =
-                    levels.iter().map(|level| Level { mesh: &level.mesh, settings: level.settings() }).collect();
-                mesh_io::write_levels(path, &all)?;
-                levels.into_iter().next_back()
-            }
-            None => {
-                let level = dressed(outputs.level)?;
-                files.output.write_with(&level.mesh, &level.settings())?;
-                Some(level)
-            }
+        let written = self.dressed(outputs.level)?;
+        let coarser: Vec<Dressed> = match outputs.all_levels {
+            true => (0..outputs.level).map(|k| self.dressed(k)).collect::<anyhow::Result<_>>()?,
+            false => Vec::new(),
         };
-        Ok(self.lost(&finest.map(|level| level.attributes).unwrap_or_default(), format))
+        let all: Vec<Level> = coarser.iter().chain([&written]).map(Dressed::level).collect();
+        for (path, level) in files.levels.iter().zip(&all) {
+            mesh_io::write_with(path, level.mesh, &level.settings)?;
+        }
+        match files.output.file().filter(|_| outputs.are_in_one(files)) {
+            Some(path) => mesh_io::write_levels(path, &all)?,
+            None => files.output.write_with(&written.mesh, &written.settings())?,
+        }
+        Ok(self.lost(&written.attributes))
     }
 
-    /// A level with what belongs to it, for a file of this format in this folder.
-    fn dressed(&self, level: u32, format: Format, folder: &Path) -> anyhow::Result<Dressed> {
-        let Self { plan, document, remeshed } = *self;
-        let mesh = plan.outputs.order.ordered(&remeshed.level(level)?, level)?;
+    /// A level with what belongs to it.
+    fn dressed(&self, level: u32) -> anyhow::Result<Dressed> {
+        let plan = self.plan;
+        let mesh = plan.outputs.order.ordered(&self.levels.mesh(level)?, level)?;
         if plan.plain {
             return Ok(Dressed { mesh, attributes: Attributes::default(), lines: Vec::new() });
         }
-        let mut attributes = carried(document, &remeshed.stages.base.cleaned, &mesh, format);
-        attributes.looks = looks(attributes.looks, format, [plan.input.folder(), folder]);
-        let curves = curves(remeshed, level)?;
-        if format.holds(&Extra::Normals) {
+        let mut attributes = self.carrier.as_ref().map(|carrier| carrier.carried(&mesh)).unwrap_or_default();
+        attributes.looks = looks(attributes.looks, self.format, [plan.input.folder(), self.files.output.folder()]);
+        let curves = self.curves(level)?;
+        if self.format.holds(&Extra::Normals) {
             attributes.normals = normals(plan, &mesh, &curves);
         }
         Ok(Dressed { mesh, attributes, lines: curves.into_keys().map(|ends| ends.map(|v| v.0)).collect() })
     }
 
+    /// Edges of a level on creases and marked edges. Borders are seen anyway.
+    fn curves(&self, level: u32) -> anyhow::Result<Curves> {
+        let stages = &self.remeshed.stages;
+        let kind = |arc| stages.surface.network().arcs[arc].kind;
+        let spans = stages.region.spans.iter().map(|(&[v, w], span)| (rising(v, w), kind(span.arc)));
+        let finest: Curves = spans.filter(|(_, kind)| *kind != ArcKind::Border).collect();
+        let mut finer = (level + 1..=self.levels.finest()).rev();
+        finer.try_fold(finest, |curves, finer| Ok(coarser_curves(&self.levels.parents(finer)?, &curves)))
+    }
+
     /// Warnings of what the input has and an output with these attributes does not.
-    fn lost(&self, attributes: &Attributes, format: Format) -> Vec<String> {
-        let document = self.document;
+    fn lost(&self, attributes: &Attributes) -> Vec<String> {
+        let Self { document, format, .. } = *self;
         if self.plan.plain {
             return load::lost(&document.extras).into_iter().collect();
         }
@@ -131,35 +156,17 @@ fn normals(plan: &RemeshPlan, mesh: &TriMesh, curves: &Curves) -> Vec<[DVec3; 3]
 /// Edges on feature curves, by their ends in rising order.
 type Curves = BTreeMap<[VertexId; 2], ArcKind>;
 
-/// Edges of a level on creases and marked edges. Borders are seen anyway.
-fn curves(remeshed: &Remeshed, level: u32) -> anyhow::Result<Curves> {
-    let arcs = &remeshed.stages.surface.network().arcs;
-    let spans = remeshed.stages.region.spans.iter().map(|(&ends, span)| (rising(ends), arcs[span.arc].kind));
-    let mut curves: Curves = spans.filter(|(_, kind)| *kind != ArcKind::Border).collect();
-    for coarser in (level..remeshed.report.certificate.levels).rev() {
-        curves = coarser_curves(&remeshed.level(coarser)?, &remeshed.level(coarser + 1)?, &curves);
-    }
-    Ok(curves)
+/// The edges of a level both halves of which are on feature curves of the next one, whose vertices have these parents.
+fn coarser_curves(parents: &[[u32; 2]], curves: &Curves) -> Curves {
+    let edge = |(middle, &[v, w]): (usize, &[u32; 2])| {
+        let [v, w, middle] = [v, w, middle as u32].map(VertexId);
+        let halves = [v, w].map(|end| curves.get(&rising(end, middle)));
+        if let [Some(&kind), Some(_)] = halves { Some((rising(v, w), kind)) } else { None }
+    };
+    parents.iter().enumerate().filter_map(edge).collect()
 }
 
-/// The edges of a level both halves of which are on feature curves of the next one.
-fn coarser_curves(coarse: &TriMesh, fine: &TriMesh, curves: &Curves) -> Curves {
-    let mut found = Curves::new();
-    for (f, face) in coarse.faces().iter().enumerate() {
-        for side in 0..3 {
-            let (v, w) = (face[side], face[(side + 1) % 3]);
-            // Child number `side` has that corner of the face first, and then the middle of the side.
-            let middle = fine.faces().as_slice()[4 * f + side][1];
-            let halves = [rising([v, middle]), rising([middle, w])].map(|half| curves.get(&half));
-            if let [Some(&kind), Some(_)] = halves {
-                found.insert(rising([v, w]), kind);
-            }
-        }
-    }
-    found
-}
-
-fn rising([v, w]: [VertexId; 2]) -> [VertexId; 2] {
+fn rising(v: VertexId, w: VertexId) -> [VertexId; 2] {
     [v.min(w), v.max(w)]
 }
 
@@ -170,10 +177,9 @@ mod tests {
     /// A feature curve along one side of a triangle is there on the coarse level if both halves of the side have it.
     #[test]
     fn a_coarse_edge_is_a_curve_where_both_halves_are() {
-        let positions = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-        let coarse = TriMesh::from_slices(&positions[..3], &[[0, 1, 2]]).unwrap();
-        let fine = TriMesh::from_slices(&positions, &[[0, 3, 5], [1, 4, 3], [2, 5, 4], [4, 5, 3]]).unwrap();
+        // A triangle 0 1 2, with vertices 3, 4 and 5 in the middles of its sides.
+        let parents = [[0, 0], [1, 1], [2, 2], [0, 1], [1, 2], [0, 2]];
         let curves = |edges: &[[u32; 2]]| -> Curves { edges.iter().map(|e| (e.map(VertexId), ArcKind::Sharp)).collect() };
-        assert_eq!(coarser_curves(&coarse, &fine, &curves(&[[0, 3], [1, 3], [1, 4], [3, 4]])), curves(&[[0, 1]]));
+        assert_eq!(coarser_curves(&parents, &curves(&[[0, 3], [1, 3], [1, 4], [3, 4]])), curves(&[[0, 1]]));
     }
 }

@@ -9,6 +9,7 @@ use crate::stream::{Source, Target};
 use crate::talk::Talk;
 use crate::{load, overwrite, stages};
 use anyhow::Context as _;
+use features::FeatureOptions;
 use glam::DVec3;
 use semireg::{MAX_TRIANGLES, Method, Options};
 use std::fs::{self, File};
@@ -138,7 +139,7 @@ fn base_options(args: &MakingArgs) -> Result<Options, Failure> {
     check_features(args)?;
     let features = &mut options.features;
     if args.features != FeaturesArg::Creases {
-        features.strong_angle = NO_CREASES;
+        features.strong_angle = FeatureOptions::NO_CREASES;
     }
     features.strong_angle = args.crease_angle.unwrap_or(features.strong_angle);
     features.weak_angle = args.weak_angle.unwrap_or(features.weak_angle.min(features.strong_angle));
@@ -150,9 +151,6 @@ fn base_options(args: &MakingArgs) -> Result<Options, Failure> {
     }
     Ok(options)
 }
-
-/// The crease angle at which there are none, in degrees.
-const NO_CREASES: f64 = 180.0;
 
 /// Angles are given only where creases are looked for.
 fn check_features(args: &MakingArgs) -> Result<(), Failure> {

@@ -24,7 +24,8 @@ pub(crate) fn run(plan: &RemeshPlan) -> anyhow::Result<()> {
     }
     let document = plan.input.read()?;
     let base_mesh = plan.base.as_deref().map(mesh_io::read).transpose()?.map(|base| base.soup);
-    let mut work = Work { plan, document, base_mesh, seeds: HashMap::new(), begun: start };
+    let options = Options { base_mesh, ..plan.marks.added_to(&plan.options, &document, &plan.input)? };
+    let mut work = Work { plan, document, options, seeds: HashMap::new(), begun: start };
     let mut variants = Vec::new();
     for files in &plan.outputs.results {
         let made = work.done(files);
@@ -48,7 +49,8 @@ struct Variants {
 struct Work<'a> {
     plan: &'a RemeshPlan,
     document: Document,
-    base_mesh: Option<mesh_core::Soup>,
+    /// Those of the first result. The others have other seeds.
+    options: Options,
     /// The seed that first led to a result, by what stands for its vertices.
     seeds: HashMap<u64, u64>,
     /// When the work on the next result began: for the first one, with reading.
@@ -58,12 +60,11 @@ struct Work<'a> {
 impl Work<'_> {
     /// Makes a result and writes it.
     fn done(&mut self, files: &ResultFiles) -> anyhow::Result<Report> {
-        let Self { plan, document, base_mesh, .. } = self;
+        let Self { plan, document, options, .. } = self;
         let mut meter = Meter::new(plan.talk);
         let read_seconds = self.begun.elapsed().as_secs_f64();
-        let options = plan.marks.added_to(&plan.options, document, &plan.input)?;
-        let options = Options { base_mesh: base_mesh.clone(), seed: files.seed, ..options };
-        let remeshed = semireg::remesh_with(&document.soup, &options, &mut |progress| meter.step(progress))
+        options.seed = files.seed;
+        let remeshed = semireg::remesh_with(&document.soup, options, &mut |progress| meter.step(progress))
             .with_context(|| plan.input.to_string())?;
         let before_writing = Instant::now();
         meter.begin_writing()?;
@@ -71,7 +72,7 @@ impl Work<'_> {
         if let Some(folder) = &plan.stages {
             stages::write(folder, &remeshed)?;
         }
-        let lost = Writer { plan, document, remeshed: &remeshed }.write(files)?;
+        let lost = Writer::new(plan, document, &remeshed, files)?.write()?;
         drop(meter);
         let write_seconds = before_writing.elapsed().as_secs_f64();
         let mut report = Report::new(plan, files, &remeshed);

@@ -62,24 +62,29 @@ impl<'a> Levels<'a> {
         &self.faces[level as usize]
     }
 
-    /// For every vertex of a level above 0 the two ends of the edge of the level before in whose middle it was put, the lower first;
-    /// twice itself for one that was there.
-    pub(crate) fn parents(&self, level: u32) -> Vec<[u32; 2]> {
+    /// For every vertex of a level the two ends of the edge of the level before in whose middle it was put, the lower first; twice itself for
+    /// one that was there, as all of level 0 were. Fails where there is no such level.
+    pub fn parents(&self, level: u32) -> Result<Vec<[u32; 2]>, CorrespondenceError> {
+        let finest = self.finest();
+        if level > finest {
+            return Err(CorrespondenceError::NoLevel { level, finest });
+        }
         let mut parents: Vec<[u32; 2]> = (0..self.n_vertices(level) as u32).map(|v| [v; 2]).collect();
-        for (&[a, b, c], children) in self.faces(level - 1).iter().zip(self.faces(level).chunks_exact(4)) {
+        let coarse = level.checked_sub(1).map_or(&[][..], |coarser| self.faces(coarser));
+        for (&[a, b, c], children) in coarse.iter().zip(self.faces(level).chunks_exact(4)) {
             let [bc, ca, ab] = children[3];
             for (middle, [p, q]) in [(ab, [a, b]), (bc, [b, c]), (ca, [c, a])] {
                 parents[middle.index()] = [p.min(q).0, p.max(q).0];
             }
         }
-        parents
+        Ok(parents)
     }
 
     /// Every midpoint is new and of one edge, and every new vertex is a midpoint.
     fn check_midpoints(&self) -> Result<(), CorrespondenceError> {
         let broken = |level, face| CorrespondenceError::NotSubdivided { levels: self.finest(), level, face };
         for level in 1..=self.finest() {
-            let (parents, before) = (self.parents(level), self.n_vertices(level - 1));
+            let (parents, before) = (self.parents(level)?, self.n_vertices(level - 1));
             if parents[before.min(parents.len())..].iter().any(|[a, b]| a == b) {
                 return Err(broken(level - 1, 0));
             }

@@ -61,7 +61,7 @@ impl Map {
         let placed = |face: FaceId| order.place(face.index(), finest, n_base) as i64;
         let parent = |level: u32| move |face: usize| order.parent(face, level, n_base) as u32;
         let n_faces = |level: u32| levels.faces(level).len();
-        let parents: Vec<_> = (1..=finest).map(|level| levels.parents(level)).collect();
+        let parents: Vec<_> = (1..=finest).map(|level| levels.parents(level)).collect::<Result<_, _>>()?;
         let n_coarse = (0..finest).map(|level| levels.n_vertices(level));
         Ok(Self {
             source_face: over.iter().map(|o| source.cleaned.source_face[o.face]).collect(),

@@ -24,10 +24,13 @@ impl Default for FeatureOptions {
 }
 
 impl FeatureOptions {
+    /// The strong angle without creases, in degrees: not even where a face lies on its neighbour, which is an angle of 180.
+    pub const NO_CREASES: f64 = 180.0;
+
     /// Checks the ranges: `0 < weak_angle <= strong_angle <= 180` and `0 <= persistence`.
     pub fn check(&self) -> Result<(), FeatureError> {
         let Self { strong_angle: strong, weak_angle: weak, persistence } = *self;
-        if !(weak > 0.0 && weak <= strong && strong <= NO_CREASES) {
+        if !(weak > 0.0 && weak <= strong && strong <= Self::NO_CREASES) {
             return Err(FeatureError::Angles { strong, weak });
         }
         if persistence.is_nan() || persistence < 0.0 {
@@ -38,7 +41,7 @@ impl FeatureOptions {
 
     /// Whether there can be creases: the strong angle is below 180 degrees.
     pub fn finds_creases(&self) -> bool {
-        self.strong_angle < NO_CREASES
+        self.strong_angle < Self::NO_CREASES
     }
 
     /// Is an edge of this dihedral angle (degrees) a crease by itself?
@@ -46,9 +49,6 @@ impl FeatureOptions {
         self.finds_creases() && angle >= self.strong_angle
     }
 }
-
-/// The strong angle without creases, in degrees: not even where a face lies on its neighbour, which is an angle of 180.
-const NO_CREASES: f64 = 180.0;
 
 /// Why there is no network.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -26,7 +26,11 @@ impl Format {
 
     /// The format that the extension of a path names, in upper or lower case; `None` for another extension or none.
     pub fn from_path(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?;
+        Self::from_extension(path.extension()?.to_str()?)
+    }
+
+    /// The format with this extension, in upper or lower case and without a dot; `None` for another one.
+    pub fn from_extension(extension: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|f| extension.eq_ignore_ascii_case(f.extension()))
     }
 

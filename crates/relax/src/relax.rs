@@ -33,6 +33,13 @@ pub struct Relaxed {
     pub report: RelaxReport,
 }
 
+impl Relaxed {
+    /// The same, with a report that begins with the relaxation that it went on from.
+    pub fn after(self, before: RelaxReport) -> Self {
+        Self { report: before.then(self.report), ..self }
+    }
+}
+
 /// What a relaxation reached.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RelaxReport {

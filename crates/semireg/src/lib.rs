@@ -31,7 +31,7 @@ mod verdict;
 
 pub use attempt::{Attempt, EdgeChoice, Remedy};
 pub use base::{Base, BaseCounts, BaseStages, CellCounts, Method, PaperOptions, Patches, Way};
-pub use correspondence::{CorrespondenceError, FaceOrder, Map, Prolongation};
+pub use correspondence::{CorrespondenceError, FaceOrder, Levels, Map, Prolongation};
 pub use error::Error;
 pub use fit::FitReport;
 pub use options::Options;

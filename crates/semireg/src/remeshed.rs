@@ -40,9 +40,14 @@ pub struct Stages {
 }
 
 impl Remeshed {
-    /// The mesh of a level: 0 is the base mesh, at its vertices' places in the result. Fails where there is no such level.
+    /// The levels of the mesh, each with its vertices where they are in the result. A certified mesh has them.
+    pub fn levels(&self) -> Result<Levels<'_>, CorrespondenceError> {
+        Levels::new(&self.mesh, self.report.certificate.levels)
+    }
+
+    /// The mesh of a level: 0 is the base mesh. Fails where there is no such level.
     pub fn level(&self, level: u32) -> Result<TriMesh, CorrespondenceError> {
-        Levels::new(&self.mesh, self.report.certificate.levels)?.mesh(level)
+        self.levels()?.mesh(level)
     }
 
     /// Where everything of a level is on the input and the other way round, for faces written in this order.

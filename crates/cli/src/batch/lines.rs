@@ -63,6 +63,15 @@ impl LinesFile {
     }
 }
 
+impl Drop for LinesFile {
+    /// Unlocks by name: a child process that is just being started has the open file as well, and would hold the lock a moment longer.
+    fn drop(&mut self) {
+        let file = self.file.get_mut().unwrap_or_else(PoisonError::into_inner);
+        // A lock that cannot be given back ends with the process.
+        let _ = FileExt::unlock(file);
+    }
+}
+
 /// The complete lines of a file, which is cut off after them.
 fn kept(file: &mut File, path: &Path) -> anyhow::Result<Vec<Line>> {
     let name = path.display();

@@ -53,7 +53,7 @@ impl BatchPlan {
         remesh_options(&args.making, &args.result)?;
         let listed = args.list.as_deref().map(inputs::listed).transpose()?;
         let found = inputs::find(listed.as_ref().unwrap_or(&args.inputs), &args.out)?;
-        let format = Format::from(args.format);
+        let format = args.format;
         let results = names::results(&found.files, &found.root, format.extension())?;
         let all = found.files.into_iter().zip(results);
         let all: Vec<BatchFile> = all.map(|(input, output)| BatchFile { input, output }).collect();

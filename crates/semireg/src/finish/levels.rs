@@ -58,11 +58,11 @@ pub(super) fn relaxed_levels(input: &Input, stages: &BaseStages, options: &Optio
         let finer = run.stage("subdivide", || subdiv::subdivide(&relaxed.domain, 1))?;
         projected = run.stage("project", || project::project_refined(surface, &relaxed.domain, &finer.domain))?;
         is_worth_relaxing(surface, &projected)?;
-        relaxed = then(relaxed, run.stage("relax", || relax::relax(surface, &projected.domain, &again))?);
+        relaxed = run.stage("relax", || relax::relax(surface, &projected.domain, &again))?.after(relaxed.report);
     }
     if let Some(proxy) = proxy {
         let there = run.stage("project", || proxy.carried(&relaxed.domain, &stages.surface))?;
-        relaxed = then(relaxed, run.stage("relax", || relax::relax(&stages.surface, &there, &again))?);
+        relaxed = run.stage("relax", || relax::relax(&stages.surface, &there, &again))?.after(relaxed.report);
     }
     Ok(Finest { projected, relaxed })
 }
@@ -70,9 +70,4 @@ pub(super) fn relaxed_levels(input: &Input, stages: &BaseStages, options: &Optio
 fn is_worth_relaxing(surface: &Surface, projected: &Projected) -> Result<(), Error> {
     let n_triangles = projected.domain.mesh.n_faces();
     NextStage::Relax.is_worth(relax::inverted(surface, &projected.domain)?.len(), n_triangles)
-}
-
-/// A relaxation that went on from another one, with the report of both.
-fn then(before: Relaxed, after: Relaxed) -> Relaxed {
-    Relaxed { report: before.report.then(after.report), ..after }
 }

@@ -9,7 +9,7 @@ use crate::rescue::on_touching_arcs;
 use crate::run::Run;
 use certify::{Reference, faulty_faces};
 use mesh_core::{FaceId, HalfedgeId};
-use relax::{RelaxOptions, Relaxed};
+use relax::RelaxOptions;
 use snap::{LetGo, SnapOptions, Snapped};
 use std::time::Instant;
 
@@ -80,11 +80,10 @@ fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, optio
     } else {
         relax::relax_around(&snapped.surface, &snapped.domain, &faces_at(snapped), REACH, &options.shape)?
     };
-    let report = before.relaxed.report.then(relaxed.report);
     let faults = faulty_faces(input, &relaxed.domain.mesh);
     Ok(Candidate {
         surface: snapped.surface.clone(),
-        relaxed: Relaxed { report, ..relaxed },
+        relaxed: relaxed.after(before.relaxed.report),
         faults,
         snapped: SnapCounts { bends: snapped.bends.len(), minor_creases: snapped.tracks.len() },
         ..before.clone()

@@ -43,9 +43,8 @@ impl<'a> Mender<'a> {
     pub(super) fn relaxed(&self, before: &Candidate, faces: &[FaceId], reach: f64) -> Result<Candidate, Error> {
         let edges = (reach * f64::from(1 << self.options.levels)).max(1.0) as usize;
         let relaxed = relax_around(&before.surface, &before.relaxed.domain, faces, edges, &self.options.relax.shape)?;
-        let report = before.relaxed.report.then(relaxed.report);
         let faults = faulty_faces(self.input, &relaxed.domain.mesh);
-        Ok(Candidate { relaxed: Relaxed { report, ..relaxed }, faults, ..before.clone() })
+        Ok(Candidate { relaxed: relaxed.after(before.relaxed.report), faults, ..before.clone() })
     }
 
     /// The base mesh bisected under some triangles, and what is around the new vertices relaxed. `None` where it would grow too much, it has

@@ -111,9 +111,9 @@ pub(crate) fn joined(input: &Reference, before: Candidate, options: &RelaxOption
     if faults.faces().len() > before.n_faults() {
         return Ok(before);
     }
-    let report = before.relaxed.report.then(relaxed.report);
     let domain = Domain { mesh, ..relaxed.domain };
-    Ok(Candidate { relaxed: Relaxed { domain, report, ..relaxed }, faults, ..before })
+    let relaxed = Relaxed { domain, ..relaxed }.after(before.relaxed.report);
+    Ok(Candidate { relaxed, faults, ..before })
 }
 
 /// The domain vertices at corners and on arcs.
