@@ -1,9 +1,8 @@
 //! Where the corners of a mesh are on the mesh that it was made of.
 
 use crate::Source;
-use crate::source::barycentric;
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, IdVec, SurfaceIndex, SurfacePoint, TriMesh, closest_on_triangle};
+use mesh_core::{EdgeId, FaceId, IdVec, SurfaceIndex, SurfacePoint, TriMesh, barycentric, closest_on_triangle};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 

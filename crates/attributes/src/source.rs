@@ -89,12 +89,3 @@ pub(crate) fn interpolate<const N: usize>(weights: DVec3, values: &[[f64; N]; 3]
         _ => parts(i).map(|(weight, value)| weight * value).sum(),
     })
 }
-
-/// Barycentric coordinates of a point, of sum 1, in the plane of a triangle. A triangle without area gives its middle.
-pub(crate) fn barycentric(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
-    let normal = (b - a).cross(c - a);
-    let double_area = normal.length_squared();
-    let share = |q: DVec3, r: DVec3| (q - p).cross(r - p).dot(normal) / double_area;
-    let weights = DVec3::new(share(b, c), share(c, a), share(a, b));
-    if weights.is_finite() { weights } else { DVec3::splat(1.0 / 3.0) }
-}

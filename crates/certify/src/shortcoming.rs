@@ -31,7 +31,7 @@ pub enum Shortcoming {
     Distance {
         /// The greatest distance.
         greatest: f64,
-        /// The greatest that is accepted, see [`accepted_distance`]; both in parts of the original's diagonal.
+        /// The greatest that is accepted; both in parts of the original's diagonal.
         accepted: f64,
     },
     /// Sharp edges of the original are missing: so much of their length is kept.
@@ -50,9 +50,9 @@ pub enum Shortcoming {
 }
 
 impl Shortcoming {
-    /// All that a mesh falls short in, whose edges have this mean length in parts of the original's diagonal.
-    pub fn all(measures: &Measures, sharp: Option<SharpCover>, mean_edge: f64) -> Vec<Self> {
-        let (greatest, accepted) = (measures.distance.worse().max, accepted_distance(1.0, mean_edge));
+    /// All that a mesh falls short in, of which this distance is accepted, in parts of the original's diagonal; see [`accepted_distance`].
+    pub fn all(measures: &Measures, sharp: Option<SharpCover>, accepted: f64) -> Vec<Self> {
+        let greatest = measures.distance.worse().max;
         let quality = &measures.quality;
         let [remeshed, original] = [measures.remeshed_self_intersecting, measures.original_self_intersecting];
         let found = [
@@ -108,7 +108,7 @@ mod tests {
         let short = |pull: f64| {
             let pulled = moved(&mesh, |p| if p.z > 0.999 { (1.0 + pull) * p } else { p });
             let measures = measure(&original, &pulled, &MeasureOptions::default()).unwrap();
-            Shortcoming::all(&measures, None, 0.01)
+            Shortcoming::all(&measures, None, accepted_distance(1.0, 0.01))
         };
         assert_eq!(short(0.0), []);
         let severities: Vec<f64> = [0.03, 0.06]

@@ -1,7 +1,8 @@
 //! The command line as the user types it.
 
+use crate::goal_args::GoalArgs;
 use crate::kept::{FeaturesArg, KeepArg};
-use crate::number::{amount, base_vertices, degrees, levels, seed, threads, variants};
+use crate::number::{amount, base_vertices, degrees, levels, seed, slope, threads, variants};
 use crate::paper_args::PaperArgs;
 use crate::shard::Shard;
 use crate::stream::is_stream;
@@ -52,7 +53,7 @@ pub(crate) struct RemeshArgs {
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,
     /// A base mesh of your own to subdivide, in any format: a manifold of the input's topology, near its surface
-    #[arg(long, value_name = "FILE", conflicts_with = "base_vertices")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["base_vertices", "goal"])]
     pub(crate) base: Option<PathBuf>,
     /// Leave a picture (PNG) and a coloured mesh (PLY) of every stage in this folder
     #[arg(long, value_name = "DIR")]
@@ -65,9 +66,11 @@ pub(crate) struct RemeshArgs {
 /// How a result is made on its base mesh, whatever the input: what `remesh` and `batch` both take.
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
-    /// How often every base triangle is split in four
-    #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
-    pub(crate) levels: u32,
+    #[command(flatten)]
+    pub(crate) goal: GoalArgs,
+    /// How often every base triangle is split in four [default: 2, or what suits the size that is asked for]
+    #[arg(long, value_name = "L", value_parser = levels, allow_negative_numbers = true)]
+    pub(crate) levels: Option<u32>,
     /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
     #[arg(long)]
     pub(crate) no_fit: bool,
@@ -193,6 +196,10 @@ pub(crate) struct SourceArgs {
     /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
     #[arg(long, value_name = "FILE")]
     pub(crate) marked_edges: Option<PathBuf>,
+    /// Where base vertices shall be denser: a number above 0 for each vertex of the input, as the property `density` of a ply with the same
+    /// vertices, or its only one, or an npy with one dimension
+    #[arg(long, value_name = "FILE")]
+    pub(crate) density: Option<PathBuf>,
     /// Number of threads; the result does not depend on it [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
@@ -222,6 +229,9 @@ pub(crate) struct MakingArgs {
     /// Keep the edges where these end, as marked edges
     #[arg(long, value_name = "WHAT", value_enum, value_delimiter = ',')]
     pub(crate) keep: Vec<KeepArg>,
+    /// How fast lengths of base edges change along the surface, per length: 0 for edges of one length [default: 0.3]
+    #[arg(long, value_name = "G", value_parser = slope, allow_negative_numbers = true)]
+    pub(crate) gradation: Option<f64>,
     /// How results are made [default: best]
     #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArg::Best, hide_default_value = true)]
     pub(crate) method: MethodArg,
@@ -333,6 +343,21 @@ mod tests {
     }
 
     #[test]
+    fn a_size_is_asked_for_once() {
+        let parsed = |options: &[&str]| Args::try_parse_from([&["semireg", "remesh", "a.obj", "-o", "b.obj"], options].concat());
+        assert!(parsed(&["--vertices", "9000", "--levels", "3"]).is_ok());
+        for twice in [
+            ["--vertices=9000", "--triangles=9000"],
+            ["--base-vertices=900", "--edge-length=1"],
+            ["--max-error=.01", "--max-error-length=1"],
+            ["--base=c.obj", "--vertices=900"],
+        ] {
+            let said = parsed(&twice).err().unwrap().to_string();
+            assert!(said.contains("cannot be used with"), "{said}");
+        }
+    }
+
+    #[test]
     fn numbers_out_of_range_are_told_the_range() {
         for (option, value, range) in [
             ("--levels", "-1", "from 0 to 8"),
@@ -342,6 +367,12 @@ mod tests {
             ("--level", "9", "from 0 to 8"),
             ("--threads", "-2", "from 1 to 1024"),
             ("--seed", "-1", "from 0 to"),
+            ("--vertices", "3", "from 4 to"),
+            ("--triangles", "60000000", "from 4 to 50000000"),
+            ("--edge-length", "0", "a length above 0"),
+            ("--max-error-length", "inf", "a length above 0"),
+            ("--gradation", "-1", "a number from 0 on"),
+            ("--max-error", "1.5", "a share above 0 and below 1"),
             ("--target-quality", "1.5", "from 0 to 1"),
             ("--relax-iterations", "-1", "from 0 to 1000000"),
             ("--crease-angle", "-10", "at most 180 degrees"),

@@ -181,7 +181,9 @@ fn of_remeshing(error: &Error) -> Kind {
         Error::Cancelled => Kind::Cancelled,
         Error::Clean(_) => Kind::Empty,
         Error::MarkedEdge { .. } => Kind::Marks,
-        Error::Features(_) | Error::Sizing(_) => Kind::Usage,
+        Error::Features(_) | Error::Sizing(_) | Error::NoGoal { .. } | Error::DensityCount { .. } | Error::Density { .. } => {
+            Kind::Usage
+        }
         Error::TooLarge { .. } => Kind::TooLarge,
         Error::CleanBase(_) | Error::BaseNotManifold { .. } | Error::Trace(_) | Error::BaseNotCertified { .. } => Kind::Base,
         // No stage fails on a cleaned input for any other reason than its shape.
@@ -194,6 +196,7 @@ fn with_flags(hint: &str) -> String {
     let mut hint = hint.to_owned();
     for (option, flag) in [
         ("base vertices", "--base-vertices"),
+        ("greater error", "--max-error"),
         ("levels", "--levels"),
         ("base mesh", "--base"),
         ("crease angle", "--crease-angle"),

@@ -41,6 +41,20 @@ pub(crate) fn lines(path: &Path) -> anyhow::Result<Vec<[DVec3; 2]>> {
     document.lines.iter().enumerate().map(ends).collect()
 }
 
+/// The densities of a file: its property of that name at the vertices, or the only one.
+pub(crate) fn density(path: &Path) -> anyhow::Result<Vec<f64>> {
+    let (mut values, name) = (mesh_io::read(path)?.attributes.vertex_values, path.display());
+    let at = values.iter().position(|v| v.name == "density").or((values.len() == 1).then_some(0));
+    match at {
+        Some(at) => Ok(values.swap_remove(at).values),
+        None => {
+            let message =
+                format!("{name} has no density; give a ply whose vertices have a property `density`, or one property alone");
+            Err(Failure::new(Kind::Usage, message).into())
+        }
+    }
+}
+
 /// A warning of what a file holds that its remeshed surface does not have; none where it has all.
 pub(crate) fn lost(extras: &[Extra]) -> Option<String> {
     let lost: Vec<String> = extras.iter().filter(|extra| extra.is_lost()).map(ToString::to_string).collect();

@@ -11,6 +11,7 @@ mod check;
 mod compare;
 mod failure;
 mod figures;
+mod goal_args;
 mod inspect;
 mod kept;
 mod load;

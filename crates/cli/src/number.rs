@@ -12,6 +12,35 @@ pub(crate) fn base_vertices(text: &str) -> Result<u32, String> {
     whole(text, 1..=u32::MAX.into()).map(|n| n as u32)
 }
 
+/// A number of vertices or triangles of a result.
+pub(crate) fn count(text: &str) -> Result<u32, String> {
+    whole(text, 4..=semireg::MAX_TRIANGLES).map(|n| n as u32)
+}
+
+/// A length in the units of a mesh.
+pub(crate) fn length(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(length) if length.is_finite() && length > 0.0 => Ok(length),
+        _ => Err("a length above 0 is needed".to_owned()),
+    }
+}
+
+/// A growth of lengths per length.
+pub(crate) fn slope(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(slope) if slope.is_finite() && slope >= 0.0 => Ok(slope),
+        _ => Err("a number from 0 on is needed".to_owned()),
+    }
+}
+
+/// A share of a whole.
+pub(crate) fn fraction(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(share) if share > 0.0 && share < 1.0 => Ok(share),
+        _ => Err("a share above 0 and below 1 is needed".to_owned()),
+    }
+}
+
 /// A number of threads.
 pub(crate) fn threads(text: &str) -> Result<u16, String> {
     whole(text, 1..=1024).map(|n| n as u16)

@@ -18,6 +18,8 @@ pub(crate) struct Writer<'a> {
     document: &'a Document,
     remeshed: &'a Remeshed,
     levels: Levels<'a>,
+    /// The level that the output holds.
+    level: u32,
     /// The files that are written.
     files: &'a ResultFiles,
     format: Format,
@@ -53,19 +55,21 @@ impl<'a> Writer<'a> {
         let format = files.output.format()?;
         let cleaned = &remeshed.stages.base.cleaned;
         let carrier = if plan.plain { None } else { Carrier::new(document, cleaned, format) };
-        Ok(Self { plan, document, remeshed, levels: remeshed.levels()?, files, format, carrier })
+        let levels = remeshed.levels()?;
+        let level = plan.outputs.level.unwrap_or(levels.finest());
+        Ok(Self { plan, document, remeshed, levels, level, files, format, carrier })
     }
 
     /// Writes the files; returns warnings of what the input has and the output does not. The output comes last: when anything fails, there
     /// is no result beside the error.
     pub(crate) fn write(&self) -> anyhow::Result<Vec<String>> {
-        let (outputs, files) = (&self.plan.outputs, self.files);
+        let (outputs, files, level) = (&self.plan.outputs, self.files, self.level);
         if let Some(path) = &files.map {
-            map_file::write(path, &self.remeshed.map(&self.document.soup, outputs.level, outputs.order)?)?;
+            map_file::write(path, &self.remeshed.map(&self.document.soup, level, outputs.order)?)?;
         }
-        let written = self.dressed(outputs.level)?;
+        let written = self.dressed(level)?;
         let coarser: Vec<Dressed> = match outputs.all_levels {
-            true => (0..outputs.level).map(|k| self.dressed(k)).collect::<anyhow::Result<_>>()?,
+            true => (0..level).map(|k| self.dressed(k)).collect::<anyhow::Result<_>>()?,
             false => Vec::new(),
         };
         let all: Vec<Level> = coarser.iter().chain([&written]).map(Dressed::level).collect();

@@ -7,11 +7,14 @@ use mesh_io::Format;
 use semireg::FaceOrder;
 use std::path::{Path, PathBuf};
 
+/// A result has so many levels at most.
+const MOST_LEVELS: u32 = 8;
+
 /// What is written of a result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Outputs {
-    /// The level that the output holds.
-    pub(crate) level: u32,
+    /// The level that the output holds; `None` for the finest.
+    pub(crate) level: Option<u32>,
     /// Whether every level is written, too.
     pub(crate) all_levels: bool,
     pub(crate) order: FaceOrder,
@@ -30,12 +33,13 @@ pub(crate) struct ResultFiles {
 }
 
 impl Outputs {
-    /// What the options ask for, of results of so many levels with seeds from this one on.
-    pub(crate) fn new(args: &OutputArgs, output: &Target, levels: u32, seed: u64) -> Result<Self, Failure> {
+    /// What the options ask for, of results of so many levels, `None` where that is not known, with seeds from this one on.
+    pub(crate) fn new(args: &OutputArgs, output: &Target, levels: Option<u32>, seed: u64) -> Result<Self, Failure> {
         let usage = |message: String| Err(Failure::new(Kind::Usage, message));
-        let level = args.level.unwrap_or(levels);
-        if level > levels {
-            return usage(format!("--level {level} is above the finest level, {levels}; lower it or raise --levels"));
+        if let (Some(level), Some(finest)) = (args.level, levels)
+            && level > finest
+        {
+            return usage(format!("--level {level} is above the finest level, {finest}; lower it or raise --levels"));
         }
         if let Some(map) = args.map.as_deref().filter(|map| map.extension().is_none_or(|e| !e.eq_ignore_ascii_case("npz"))) {
             return usage(format!("--map {}: the map is an npz; give a name that ends in .npz", map.display()));
@@ -46,11 +50,12 @@ impl Outputs {
         let Some(last) = seed.checked_add(u64::from(args.variants.unwrap_or(1)) - 1) else {
             return usage(format!("there are not so many seeds from {seed} on; give a smaller --seed"));
         };
-        let results = (seed..=last).map(|seed| ResultFiles::new(args, output, levels, seed)).collect();
-        Ok(Self { level, all_levels: args.all_levels, order: args.order.into(), results })
+        let finest = levels.unwrap_or(MOST_LEVELS);
+        let results = (seed..=last).map(|seed| ResultFiles::new(args, output, finest, seed)).collect();
+        Ok(Self { level: args.level, all_levels: args.all_levels, order: args.order.into(), results })
     }
 
-    /// All files that will be written.
+    /// All files that may be written.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         self.results.iter().flat_map(ResultFiles::all).collect()
     }
@@ -71,6 +76,13 @@ impl ResultFiles {
         let of_levels = output.file().filter(|path| args.all_levels && !holds_all_levels(path));
         let levels = of_levels.map(|path| (0..=levels).map(|k| with_part(path, &format!(".{k}"))).collect());
         Self { seed, levels: levels.unwrap_or_default(), map: args.map.as_deref().map(numbered), output }
+    }
+
+    /// Those of a result that has so many levels.
+    pub(crate) fn of_levels(&self, levels: u32) -> Self {
+        let mut files = self.clone();
+        files.levels.truncate(levels as usize + 1);
+        files
     }
 
     /// All of them, the output first.
@@ -96,7 +108,7 @@ mod tests {
     use super::*;
 
     fn outputs(args: &OutputArgs, output: &str) -> Result<Vec<String>, String> {
-        let outputs = Outputs::new(args, &Target::File(output.into()), 2, 3).map_err(|e| e.to_string())?;
+        let outputs = Outputs::new(args, &Target::File(output.into()), Some(2), 3).map_err(|e| e.to_string())?;
         Ok(outputs.files().iter().map(|path| path.display().to_string()).collect())
     }
 
@@ -109,6 +121,9 @@ mod tests {
         assert_eq!(named(None, true, Some("m.npz"), "a/o.obj"), ["a/o.obj", "a/o.0.obj", "a/o.1.obj", "a/o.2.obj", "m.npz"]);
         assert_eq!(named(Some(2), false, Some("m.npz"), "o.ply"), ["o-3.ply", "m-3.npz", "o-4.ply", "m-4.npz"]);
         assert_eq!(named(Some(2), true, None, "o.glb"), ["o-3.glb", "o-4.glb"]);
+        let all = OutputArgs { all_levels: true, ..OutputArgs::default() };
+        let unknown = Outputs::new(&all, &Target::File("o.obj".into()), None, 0).unwrap();
+        assert_eq!((unknown.files().len(), unknown.results[0].of_levels(1).all().len()), (10, 3));
         assert_eq!(named(Some(1), true, None, "o.off"), ["o-3.off", "o-3.0.off", "o-3.1.off", "o-3.2.off"]);
     }
 
@@ -118,8 +133,8 @@ mod tests {
         assert!(told(OutputArgs { level: Some(3), ..OutputArgs::default() }).contains("above the finest level, 2"));
         assert!(told(OutputArgs { map: Some("m.obj".into()), ..OutputArgs::default() }).contains("ends in .npz"));
         let args = OutputArgs { variants: Some(2), ..OutputArgs::default() };
-        let streamed = Outputs::new(&args, &Target::StandardOutput(Format::Obj), 2, 0).map_err(|e| e.to_string());
+        let streamed = Outputs::new(&args, &Target::StandardOutput(Format::Obj), None, 0).map_err(|e| e.to_string());
         assert!(streamed.unwrap_err().contains("name a file for --all-levels or --variants"));
-        assert!(Outputs::new(&args, &Target::File("o.obj".into()), 2, u64::MAX).is_err());
+        assert!(Outputs::new(&args, &Target::File("o.obj".into()), Some(2), u64::MAX).is_err());
     }
 }

@@ -10,8 +10,7 @@ use crate::talk::Talk;
 use crate::{load, overwrite, stages};
 use anyhow::Context as _;
 use features::FeatureOptions;
-use glam::DVec3;
-use semireg::{MAX_TRIANGLES, Method, Options};
+use semireg::{Goal, MAX_TRIANGLES, Method, Options};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -24,6 +23,8 @@ pub(crate) struct RemeshPlan {
     /// A base mesh of the user's.
     pub(crate) base: Option<PathBuf>,
     pub(crate) options: Options,
+    /// A size of the result that is asked for.
+    pub(crate) goal: Option<Goal>,
     /// Edges of the input to keep.
     pub(crate) marks: Marks,
     /// Whether the output has positions and triangles alone.
@@ -51,7 +52,9 @@ impl RemeshPlan {
         let mut options = remesh_options(&args.source.making, &args.result)?;
         let (input, output) = args.streams.ends(&args.source.input, &args.output)?;
         let pictures = args.stages.as_deref().map(|folder| stages::files(folder, true)).unwrap_or_default();
-        let outputs = Outputs::new(&args.outputs, &output, args.result.levels, args.source.making.seed)?;
+        let goal = args.result.goal.goal(args.result.levels);
+        let levels = goal.map_or(Some(options.levels), |goal| goal.levels);
+        let outputs = Outputs::new(&args.outputs, &output, levels, args.source.making.seed)?;
         let files = outputs.files();
         check_overwrite(&args.source, args.base.as_deref(), &[pictures.as_slice(), files.as_slice()].concat())?;
         // First, as the result may go into the same folder.
@@ -60,18 +63,19 @@ impl RemeshPlan {
         files.iter().try_for_each(|file| check_place(file))?;
         files.iter().try_for_each(|file| overwrite::check_distinct(file, &pictures))?;
         start_threads(&args.source)?;
-        options.marked_edges = marked_edges(&args.source)?;
+        add_files(&mut options, &args.source)?;
         let (talk, marks, is_several) = (args.talk(), Marks::asked(&args.source.making), args.outputs.variants.is_some());
         let RemeshArgs { base, stages, end_with_stdin, result, .. } = args;
-        Ok(Self { input, outputs, is_several, base, options, marks, plain: result.plain, talk, stages, end_with_stdin })
+        Ok(Self { input, outputs, is_several, base, options, goal, marks, plain: result.plain, talk, stages, end_with_stdin })
     }
 }
 
 /// The options of a remeshing, but for those that belong to one input.
 pub(crate) fn remesh_options(making: &MakingArgs, result: &ResultArgs) -> Result<Options, Failure> {
-    check_size(making.base_vertices, result.levels)?;
     check_paper(making, result)?;
-    let mut options = Options { levels: result.levels, ..base_options(making)? };
+    let mut options = base_options(making)?;
+    options.levels = result.levels.unwrap_or(options.levels);
+    check_size(making.base_vertices, options.levels)?;
     options.fit = options.fit.filter(|_| !result.no_fit);
     if let Method::Paper(paper) = &mut options.method {
         *paper = result.paper.options();
@@ -110,7 +114,7 @@ fn check_overwrite(args: &SourceArgs, base: Option<&Path>, written: &[PathBuf]) 
     if args.force {
         return Ok(());
     }
-    let read = [Some(args.input.as_path()), base, args.marked_edges.as_deref()];
+    let read = [Some(args.input.as_path()), base, args.marked_edges.as_deref(), args.density.as_deref()];
     overwrite::check(read.into_iter().flatten(), written)
 }
 
@@ -125,17 +129,23 @@ fn start_threads(args: &SourceArgs) -> anyhow::Result<()> {
 
 /// The options of a base mesh of one input.
 fn source_options(args: &SourceArgs) -> anyhow::Result<Options> {
-    Ok(Options { marked_edges: marked_edges(args)?, ..base_options(&args.making)? })
+    let mut options = base_options(&args.making)?;
+    add_files(&mut options, args)?;
+    Ok(options)
 }
 
-fn marked_edges(args: &SourceArgs) -> anyhow::Result<Vec<[DVec3; 2]>> {
-    args.marked_edges.as_deref().map(load::lines).transpose().map(Option::unwrap_or_default)
+/// Adds what other files than the input say.
+fn add_files(options: &mut Options, args: &SourceArgs) -> anyhow::Result<()> {
+    options.marked_edges = args.marked_edges.as_deref().map(load::lines).transpose()?.unwrap_or_default();
+    options.density = args.density.as_deref().map(load::density).transpose()?;
+    Ok(())
 }
 
 /// The options that all commands share.
 fn base_options(args: &MakingArgs) -> Result<Options, Failure> {
     let mut options = Options { seed: args.seed, method: args.method.into(), ..Options::default() };
     options.base_vertices = args.base_vertices.map(|n| n as usize);
+    options.gradation = args.gradation.unwrap_or(options.gradation);
     check_features(args)?;
     let features = &mut options.features;
     if args.features != FeaturesArg::Creases {

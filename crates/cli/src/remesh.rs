@@ -64,8 +64,13 @@ impl Work<'_> {
         let mut meter = Meter::new(plan.talk);
         let read_seconds = self.begun.elapsed().as_secs_f64();
         options.seed = files.seed;
-        let remeshed = semireg::remesh_with(&document.soup, options, &mut |progress| meter.step(progress))
-            .with_context(|| plan.input.to_string())?;
+        let on_progress = &mut |progress| meter.step(progress);
+        let remeshed = match &plan.goal {
+            Some(goal) => semireg::remesh_to(&document.soup, goal, options, on_progress),
+            None => semireg::remesh_with(&document.soup, options, on_progress),
+        };
+        let remeshed = remeshed.with_context(|| plan.input.to_string())?;
+        let files = &files.of_levels(remeshed.report.certificate.levels);
         let before_writing = Instant::now();
         meter.begin_writing()?;
         // Pictures first: when they fail, there is no result beside the error.

@@ -7,8 +7,9 @@ use crate::print::Table;
 use crate::repairs::Repairs;
 use crate::seconds::Seconds;
 use region_map::CreaseLengths;
-use semireg::{Attempt, BaseCounts, CellCounts, FitReport, Remeshed, Verdict};
+use semireg::{Attempt, BaseCounts, CellCounts, FitReport, Remeshed, SizeTry, Split, Target, Verdict};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Everything worth telling. Field names are the contract of `--json`.
 #[derive(Serialize)]
@@ -28,6 +29,8 @@ pub(crate) struct Report {
     /// Where the base mesh comes from.
     way: &'static str,
     attempts: Vec<Try>,
+    /// The sizes that were tried where one was asked for.
+    sizes: Vec<SizeTried>,
     base_vertices: BaseVertices,
     levels: Vec<[usize; 2]>,
     cells: Cells,
@@ -56,12 +59,57 @@ impl From<&Attempt> for Try {
     }
 }
 
+/// A result that was made for the sake of its size.
+#[derive(Serialize)]
+struct SizeTried {
+    base_vertices: usize,
+    levels: u32,
+    /// Null where it was not certified.
+    triangles: Option<usize>,
+    /// Greatest distance between it and the input, in parts of the diagonal.
+    error: Option<f64>,
+}
+
+impl From<&SizeTry> for SizeTried {
+    fn from(tried: &SizeTry) -> Self {
+        let SizeTry { split: Split { base_vertices, levels }, triangles, error } = *tried;
+        Self { base_vertices, levels, triangles, error }
+    }
+}
+
+impl SizeTried {
+    /// Appends its line.
+    fn row(&self, table: &mut Table) {
+        let Self { base_vertices, levels, triangles, error } = self;
+        let came_to = match (triangles, error) {
+            (Some(triangles), Some(error)) => {
+                format!("{triangles} triangles, {:.3} % of the diagonal away at most", 100.0 * error)
+            }
+            _ => "not certified".to_owned(),
+        };
+        table.row("size tried", format!("{base_vertices} base vertices, {levels} levels: {came_to}"));
+    }
+}
+
+/// A target by the name of its option.
+fn asked(target: Target) -> (&'static str, f64) {
+    match target {
+        Target::Vertices(n) => ("vertices", n as f64),
+        Target::Triangles(n) => ("triangles", n as f64),
+        Target::EdgeLength(length) => ("edge_length", length),
+        Target::MaxError(share) => ("max_error", share),
+        Target::MaxErrorLength(length) => ("max_error_length", length),
+    }
+}
+
 /// What was asked for; null where it was left to us.
 #[derive(Serialize)]
 struct Parameters {
     base: Option<String>,
     base_vertices: Option<usize>,
-    levels: u32,
+    #[serde(flatten)]
+    goal: BTreeMap<&'static str, f64>,
+    levels: Option<u32>,
     crease_angle: f64,
     weak_angle: f64,
     features: &'static str,
@@ -201,7 +249,8 @@ impl Report {
             parameters: Parameters {
                 base: plan.base.as_ref().map(|path| path.display().to_string()),
                 base_vertices: plan.options.base_vertices,
-                levels: plan.options.levels,
+                goal: plan.goal.iter().map(|goal| asked(goal.target)).collect(),
+                levels: plan.goal.map_or(Some(plan.options.levels), |goal| goal.levels),
                 crease_angle: plan.options.features.strong_angle,
                 weak_angle: plan.options.features.weak_angle,
                 features: plan.marks.features.name(),
@@ -215,6 +264,7 @@ impl Report {
             warnings,
             way: report.way.name(),
             attempts: report.attempts.iter().map(Try::from).collect(),
+            sizes: report.sizes.iter().map(SizeTried::from).collect(),
             base_vertices: (&report.base).into(),
             levels: certificate.hierarchy.iter().flat_map(|h| &h.levels).map(|l| [l.vertices, l.faces]).collect(),
             cells: report.cells.into(),
@@ -246,7 +296,7 @@ impl Report {
         let mut table = Table::default();
         let written = format!("{} after {:.1} s (-v shows all figures)", self.output, self.seconds.total());
         self.verdict_rows(&mut table, &written);
-        let split = match self.parameters.levels {
+        let split = match self.levels.len().saturating_sub(1) {
             0 => "not split".to_owned(),
             1 => "split once".to_owned(),
             levels => format!("split {levels} times"),
@@ -265,6 +315,7 @@ impl Report {
         self.base_vertices.row(&mut table);
         table.row("way", self.way);
         self.attempts.iter().for_each(|attempt| attempt.row(&mut table));
+        self.sizes.iter().for_each(|size| size.row(&mut table));
         if let Some(fit) = &self.fit {
             fit.row(&mut table);
         }

@@ -1,8 +1,9 @@
 //! From the result to the input: a face for every vertex, and where it is over that face's plane.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use mesh_core::{
-    Cleaned, FaceId, HalfedgeId, IdVec, Soup, SurfaceIndex, SurfacePoint, VertexId, closest_on_triangle, normal, vector_area,
+    Cleaned, FaceId, HalfedgeId, IdVec, Soup, SurfaceIndex, SurfacePoint, VertexId, barycentric, closest_on_triangle, normal,
+    vector_area,
 };
 use std::sync::OnceLock;
 
@@ -154,7 +155,7 @@ impl<'a> Finder<'a> {
         let triangle = self.triangle(face);
         let normal = normal(triangle);
         let offset = (p - triangle[0]).dot(normal);
-        Over { face, barycentric: barycentric_of(triangle, p - offset * normal), offset }
+        Over { face, barycentric: barycentric(p - offset * normal, triangle), offset }
     }
 }
 
@@ -166,34 +167,13 @@ fn is_needle([a, b, c]: [DVec3; 3]) -> bool {
     height.is_nan() || longest.is_nan() || height <= NEEDLE * longest
 }
 
-/// Barycentric coordinates of a point of a triangle's plane, also beside the triangle. Of a triangle without area those of the nearest point.
-fn barycentric_of([a, b, c]: [DVec3; 3], q: DVec3) -> DVec3 {
-    let (ab, ac) = (b - a, c - a);
-    let inverse = DMat3::from_cols(ab, ac, ab.cross(ac).normalize_or_zero()).inverse();
-    if !inverse.is_finite() {
-        return closest_on_triangle(q, [a, b, c]);
-    }
-    let mut weights = inverse * (q - a);
-    // Once more with what rounding left over: then also long and flat triangles give the point back.
-    weights += inverse * (q - a - weights.x * ab - weights.y * ac);
-    DVec3::new(1.0 - weights.x - weights.y, weights.x, weights.y)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A triangle a million times as long as high, far from the origin, gives every point of its plane back to rounding.
     #[test]
-    fn flat_triangles_give_their_points_back() {
-        let triangle @ [a, b, c] = [[3.0, 2.0, 1.0], [4.0, 2.5, 1.25], [3.5, 2.25, 1.125 + 2e-6]].map(DVec3::from);
+    fn long_and_flat_triangles_are_no_needles_yet() {
+        let triangle @ [a, b, _] = [[3.0, 2.0, 1.0], [4.0, 2.5, 1.25], [3.5, 2.25, 1.125 + 2e-6]].map(DVec3::from);
         assert!(is_needle([a, b, a.midpoint(b)]) && !is_needle(triangle));
-        for [x, y] in [[0.2, 0.3], [1.5, -0.4], [-200.0, 100.0]] {
-            let q = a + x * (b - a) + y * (c - a);
-            let weights = barycentric_of(triangle, q);
-            let back = weights.x * a + weights.y * b + weights.z * c;
-            assert!(back.distance(q) < 1e-15 * (1.0 + q.length()) * (1.0 + weights.abs().max_element()), "{weights}");
-        }
-        assert_eq!(barycentric_of([a, b, b], b), closest_on_triangle(b, [a, b, b]));
     }
 }

@@ -50,5 +50,5 @@ pub use surface_index::{Closest, Hit, SHEET_DISTANCE, SurfaceIndex};
 pub use surface_point::SurfacePoint;
 pub use topology::{Topology, TopologyError};
 pub use tri_mesh::{MeshError, Soup, TriMesh};
-pub use triangle::{Line, closest_on_segment, closest_on_triangle};
+pub use triangle::{Line, barycentric, closest_on_segment, closest_on_triangle};
 pub use walk::{Walked, walk, walk_end};

@@ -1,6 +1,6 @@
 //! Closest point on a triangle and ray against triangle, in f64.
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 /// Barycentric coordinates of the point of a triangle that is closest to `point`.
 ///
@@ -25,6 +25,20 @@ pub fn closest_on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
         }
     }
     best.0
+}
+
+/// Barycentric coordinates of a point in the plane of a triangle, also beside the triangle: their sum is 1. Of a triangle without area those
+/// of its nearest point.
+pub fn barycentric(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+    let (ab, ac) = (b - a, c - a);
+    let inverse = DMat3::from_cols(ab, ac, ab.cross(ac).normalize_or_zero()).inverse();
+    if !inverse.is_finite() {
+        return closest_on_triangle(point, [a, b, c]);
+    }
+    let mut weights = inverse * (point - a);
+    // Once more with what rounding left over: then also long and flat triangles give the point back.
+    weights += inverse * (point - a - weights.x * ab - weights.y * ac);
+    DVec3::new(1.0 - weights.x - weights.y, weights.x, weights.y)
 }
 
 /// Where on the segment from `a` (0) to `b` (1) the point closest to `point` lies; 0 on a segment without length.
@@ -90,6 +104,19 @@ mod tests {
         let barycentric = closest_on_triangle(point, triangle);
         assert!(barycentric.min_element() >= 0.0 && (barycentric.element_sum() - 1.0).abs() < 1e-15);
         SurfacePoint { face: FaceId(0), barycentric }.interpolate(triangle)
+    }
+
+    /// A triangle a million times as long as high, far from the origin, gives every point of its plane back to rounding.
+    #[test]
+    fn flat_triangles_give_their_points_back() {
+        let triangle @ [a, b, c] = [[3.0, 2.0, 1.0], [4.0, 2.5, 1.25], [3.5, 2.25, 1.125 + 2e-6]].map(DVec3::from);
+        for [x, y] in [[0.2, 0.3], [1.5, -0.4], [-200.0, 100.0]] {
+            let q = a + x * (b - a) + y * (c - a);
+            let weights = barycentric(q, triangle);
+            let back = weights.x * a + weights.y * b + weights.z * c;
+            assert!(back.distance(q) < 1e-15 * (1.0 + q.length()) * (1.0 + weights.abs().max_element()), "{weights}");
+        }
+        assert_eq!(barycentric(b, [a, b, b]), closest_on_triangle(b, [a, b, b]));
     }
 
     #[test]

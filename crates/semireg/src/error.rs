@@ -69,6 +69,40 @@ pub enum Error {
         /// Triangles of the finest level on it.
         triangles: u64,
     },
+    /// A goal that no result can reach.
+    #[error("the {name} that is asked for is {value}; it must be finite and above 0, and a number at least 4")]
+    NoGoal {
+        /// What is asked for.
+        name: &'static str,
+        /// How much of it.
+        value: f64,
+    },
+    /// No result keeps to the greatest error.
+    #[error(
+        "no result keeps within {error:e} of the diagonal: the nearest one that was tried is {nearest:e} away somewhere; allow a greater error"
+    )]
+    NotWithin {
+        /// The greatest error, as a share of the diagonal.
+        error: f64,
+        /// The least one that was reached; infinite where no result was certified.
+        nearest: f64,
+    },
+    /// A density that is not one for each vertex.
+    #[error("the density has {values} values, the input has {vertices} vertices; give one value for each, in their order")]
+    DensityCount {
+        /// How many there are.
+        values: usize,
+        /// How many there should be.
+        vertices: usize,
+    },
+    /// A density that is none.
+    #[error("the density of vertex {vertex} (counted from 0) is {value}; it must be finite and above 0")]
+    Density {
+        /// The vertex of the input, from 0.
+        vertex: usize,
+        /// Its density.
+        value: f64,
+    },
     /// Subdivision failed.
     #[error(transparent)]
     Subdivide(#[from] subdiv::SubdivError),
@@ -153,6 +187,10 @@ impl Error {
             | Self::Base(_)
             | Self::TooLarge { .. }
             | Self::Folded { .. }
+            | Self::NoGoal { .. }
+            | Self::DensityCount { .. }
+            | Self::Density { .. }
+            | Self::NotWithin { .. }
             | Self::CleanBase(_)
             | Self::BaseNotManifold { .. }
             | Self::Trace(_)

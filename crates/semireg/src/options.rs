@@ -10,6 +10,10 @@ pub struct Options {
     /// Wanted number of base vertices. `None` takes three times what corners and curves need, at least 1,000 and at least 1.6 % of the cleaned
     /// input's vertices, at most 2,000.
     pub base_vertices: Option<usize>,
+    /// The distance between result and input that is accepted, as a share of the diagonal of the input's box: where it is greater, the base mesh
+    /// gets more vertices, also where their number was asked for. `None`, the default, accepts .0025 or a quarter of a finest edge, and keeps
+    /// to a number of base vertices that was asked for.
+    pub max_distance: Option<f64>,
     /// A base mesh to take instead of one of our own: its vertices and faces keep their order, and `base_vertices` is not asked. It must be
     /// an oriented manifold of the topology of the cleaned input. Default `None`.
     ///
@@ -20,6 +24,12 @@ pub struct Options {
     pub method: Method,
     /// How often every base face is split in four, 0 to 8. Default 2.
     pub levels: u32,
+    /// For every vertex of the input, in its order, a number above 0 that the base vertices per area are proportional to, beside what curvature
+    /// asks for. Edges get at most 10 times longer or shorter by it. Default `None`.
+    pub density: Option<Vec<f64>>,
+    /// How fast the lengths of base edges change along the surface, per length, not negative: with 0 they are the same everywhere. Default
+    /// 0.3: neighbouring edges differ by at most a third.
+    pub gradation: f64,
     /// Seed of all that is chosen at random. Default 0.
     pub seed: u64,
     /// Cleaning.
@@ -36,13 +46,23 @@ pub struct Options {
     pub fit: Option<fit::FitOptions>,
 }
 
+impl Options {
+    /// The distance that is accepted where edges have this mean length; all in the units of the input.
+    pub(crate) fn accepted_distance(&self, diagonal: f64, mean_edge: f64) -> f64 {
+        self.max_distance.map_or_else(|| certify::accepted_distance(diagonal, mean_edge), |share| share * diagonal)
+    }
+}
+
 impl Default for Options {
     fn default() -> Self {
         Self {
             base_vertices: None,
+            max_distance: None,
             base_mesh: None,
             method: Method::default(),
             levels: 2,
+            density: None,
+            gradation: 0.3,
             seed: 0,
             clean: CleanOptions::default(),
             features: features::FeatureOptions::default(),

@@ -4,6 +4,7 @@ use crate::attempt::Remedy;
 use crate::base::{BaseStages, Method, Proposals, Setting, given, paper};
 use crate::best::Best;
 use crate::finish::{finished, paper_finished};
+use crate::goal::{Goal, reached};
 use crate::input::Input;
 use crate::progress::{OnProgress, Watch, watched};
 use crate::remeshed::{Based, Remeshed};
@@ -41,6 +42,22 @@ pub fn remesh_with(soup: &Soup, options: &Options, on_progress: &mut OnProgress<
     watched(on_progress, |watch| remeshed(soup, options, watch))
 }
 
+/// The same as [`remesh_with`], with a result of a size that the caller names. `base_vertices`, `levels` and `max_distance` of the options are
+/// not asked; [`Report::sizes`](crate::Report) tells what was tried.
+///
+/// Where a number or an edge length cannot be met, as corners and curves take more base vertices, the nearest result is returned with a
+/// warning. Fails where no result keeps to a greatest error, and for a goal out of its range.
+pub fn remesh_to(soup: &Soup, goal: &Goal, options: &Options, on_progress: &mut OnProgress<'_>) -> Result<Remeshed, Error> {
+    watched(on_progress, |watch| {
+        let (start, mut run) = (Instant::now(), Run::new(watch));
+        let interrupt = run.interrupt().clone();
+        let cleaned = run.stage("clean", || mesh_core::clean_until(soup, &options.clean, &interrupt))?;
+        let mut make = |sized: &Options| best_of_plan(&Input::new(soup, sized, &mut run)?, sized, &mut run);
+        let remeshed = reached(&cleaned, goal, options, &mut make)?;
+        Ok(timed(remeshed, start, run))
+    })
+}
+
 /// The stages from cleaning to the base mesh. Where there is none, the next setting of the plan is tried, and the warnings say so.
 pub fn base(soup: &Soup, options: &Options) -> Result<Based, Error> {
     based(soup, options, Watch::default())
@@ -54,9 +71,14 @@ pub fn base_with(soup: &Soup, options: &Options, on_progress: &mut OnProgress<'_
 fn remeshed(soup: &Soup, options: &Options, watch: Watch) -> Result<Remeshed, Error> {
     let (start, mut run) = (Instant::now(), Run::new(watch));
     let input = Input::new(soup, options, &mut run)?;
-    let mut remeshed = best_of_plan(&input, options, &mut run)?;
+    let remeshed = best_of_plan(&input, options, &mut run)?;
+    Ok(timed(remeshed, start, run))
+}
+
+/// A result at the end of its run.
+fn timed(mut remeshed: Remeshed, start: Instant, run: Run) -> Remeshed {
     (remeshed.report.seconds, remeshed.report.attempts) = run.end(start.elapsed().as_secs_f64());
-    Ok(remeshed)
+    remeshed
 }
 
 fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {

@@ -1,5 +1,6 @@
 //! What was done, in figures.
 
+use crate::SizeTry;
 use crate::attempt::Attempt;
 use crate::base::{BaseCounts, CellCounts, Way};
 use crate::run::StageSeconds;
@@ -38,6 +39,8 @@ pub struct Report {
     pub sharp_edges: Option<SharpCover>,
     /// What a person would not accept of it without a second look.
     pub shortcomings: Vec<Shortcoming>,
+    /// The sizes that were tried for the sake of a [`Goal`](crate::Goal), in order; empty without one.
+    pub sizes: Vec<SizeTry>,
     /// Wall time of the stages.
     pub seconds: StageSeconds,
 }

@@ -19,4 +19,4 @@ mod curvature;
 mod gradation;
 mod sizing;
 
-pub use sizing::{SizingError, SizingOptions, sizing};
+pub use sizing::{SizingError, SizingOptions, sizing, sizing_with};

@@ -76,6 +76,18 @@ const CELL_RADIUS: f64 = 0.2;
 ///
 /// Fails where an option is out of its range.
 pub fn sizing(surface: &Surface, options: &SizingOptions) -> Result<Sizing, SizingError> {
+    sizing_with(surface, None, options)
+}
+
+/// The same, with lengths that the user asks for: at every vertex of the surface, in order, a finite factor above 0 on what the shape asks for there. Beyond the range
+/// of those factors the field keeps to the gradation.
+///
+/// Fails where an option is out of its range.
+pub fn sizing_with(
+    surface: &Surface,
+    factors: Option<&IdVec<VertexId, f64>>,
+    options: &SizingOptions,
+) -> Result<Sizing, SizingError> {
     options.check()?;
     let cells = Cells::grow(surface, CELL_RADIUS * options.edge_length);
     let curvature = cell_curvature(surface, &cells);
@@ -85,6 +97,9 @@ pub fn sizing(surface: &Surface, options: &SizingOptions) -> Result<Sizing, Sizi
         vertices.iter().for_each(|&v| lower(v, curvature[cells.of_face[f] as usize]));
     }
     arc_curvature(surface, options.edge_length).into_iter().for_each(|(v, curvature)| lower(v, curvature));
+    if let Some(factors) = factors {
+        relative.iter_mut().zip(factors.iter()).for_each(|(length, factor)| *length *= factor);
+    }
     limit_gradient(surface, &mut relative, options.gradation / options.edge_length);
     Ok(Sizing { relative })
 }

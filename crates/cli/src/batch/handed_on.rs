@@ -40,12 +40,12 @@ mod tests {
     #[test]
     fn what_remesh_knows_is_handed_on_and_the_rest_is_not() {
         let defaults = handed("semireg batch in --out out --jobs 3 --resume --format ply");
-        assert_eq!(defaults, ["--features=creases", "--method=best", "--seed=0", "--levels=2"]);
-        let typed = handed("semireg batch in --out out --no-fit --seed 7 --keep seams,materials --base-vertices 50");
+        assert_eq!(defaults, ["--features=creases", "--method=best", "--seed=0"]);
+        let typed = handed("semireg batch in --out out --no-fit --seed 7 --keep seams,materials --base-vertices 50 --levels 3");
         let [seams, materials, features] = ["--keep=seams", "--keep=materials", "--features=creases"];
         assert_eq!(
             typed,
-            ["--base-vertices=50", features, seams, materials, "--method=best", "--seed=7", "--levels=2", "--no-fit"]
+            ["--base-vertices=50", features, seams, materials, "--method=best", "--seed=7", "--levels=3", "--no-fit"]
         );
     }
 }

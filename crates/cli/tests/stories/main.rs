@@ -7,6 +7,7 @@ mod failures;
 mod outputs;
 mod progress;
 mod remesh;
+mod sizes;
 mod streams;
 mod summaries;
 mod tools;

@@ -70,8 +70,10 @@ impl<'a> Ground<'a> {
         let least = surface.network().least_base(surface.topology());
         admits(least.vertices, least.triangles)?;
         let base_edge_length = equilateral_edge_length(surface.mesh().total_area(), wanted);
-        let sizing_options = SizingOptions { turn: setting.turn, ..SizingOptions::new(base_edge_length) };
-        let sizing = run.stage("sizing", || sizing::sizing(&surface, &sizing_options))?;
+        let (turn, gradation) = (setting.turn, options.gradation);
+        let sizing_options = SizingOptions { turn, gradation, ..SizingOptions::new(base_edge_length) };
+        let factors = input.length_factors.as_ref();
+        let sizing = run.stage("sizing", || sizing::sizing_with(&surface, factors, &sizing_options))?;
         let proxy = proxy_of(&surface, &sizing, base_edge_length, wanted, run)?;
         let sizing = proxy.as_ref().map_or(Ok(sizing.clone()), |proxy| proxy.sizing(&sizing))?;
         Ok(Self { input, options, setting, surface, proxy, sizing, wanted, admits })

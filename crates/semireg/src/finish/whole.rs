@@ -57,7 +57,9 @@ pub(super) fn assembled(
     let sharp_edges = SharpEdges::new(&input.cleaned.mesh, edge).cover(&domain.mesh);
     // Who wants no creases does not miss them.
     let wanted = sharp_edges.filter(|_| options.features.finds_creases());
-    let shortcomings = Shortcoming::all(&certificate.measures, wanted, edge / input.cleaned.mesh.diagonal());
+    let diagonal = input.cleaned.mesh.diagonal();
+    let accepted = options.accepted_distance(1.0, edge / diagonal);
+    let shortcomings = Shortcoming::all(&certificate.measures, wanted, accepted);
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -73,6 +75,7 @@ pub(super) fn assembled(
         certificate,
         sharp_edges,
         shortcomings,
+        sizes: Vec::new(),
         seconds: StageSeconds::default(),
     };
     let base = BaseStages { base: candidate.base, counts: candidate.counts, ..stages.clone() };

@@ -1,5 +1,6 @@
 //! What all attempts run on: the input cleaned and refined, made once.
 
+mod density;
 mod given;
 mod marked;
 mod prepare;

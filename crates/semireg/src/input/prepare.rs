@@ -1,5 +1,6 @@
 //! [`Input`]: cleaned, refined and ready to be measured against.
 
+use super::density::length_factors;
 use super::given::GivenBase;
 use super::marked::marked_edges;
 use super::size::default_base_vertices;
@@ -23,6 +24,8 @@ pub(crate) struct Input {
     pub(crate) source_face: Arc<IdVec<FaceId, FaceId>>,
     /// The user's marked edges in the working mesh, and those along which its sheets touch.
     pub(crate) marked: Vec<[VertexId; 2]>,
+    /// Factors on the lengths of base edges at the vertices of the working mesh, where the user gives a density.
+    pub(crate) length_factors: Option<IdVec<VertexId, f64>>,
     /// The base mesh that the options give, if they do.
     pub(crate) given: Option<GivenBase>,
     /// Base vertices asked for.
@@ -56,12 +59,15 @@ impl Input {
         };
         let refined = run.stage("refine", || refine::refine(&cleaned.mesh, &cleaned.topology, &marked, &refine_options))?;
         let Refined { mesh, topology, marked, source_face, .. } = refined;
+        let density = options.density.as_ref();
+        let length_factors =
+            density.map(|density| length_factors(density, soup.positions.len(), &cleaned, &mesh, &source_face)).transpose()?;
         let borders = ArcKind::by_angle(&mesh, &topology, f64::INFINITY);
         let network = Network::trace(&mesh, &topology, &borders, |_| false, Vec::new())?;
         let working = Surface::new(mesh, topology, network)?.with_interrupt(interrupt.clone());
         let reference = Reference::new(cleaned.mesh.clone())?.with_interrupt(interrupt);
         let (cleaned, source_face) = (Arc::new(cleaned), Arc::new(source_face));
-        Ok(Self { cleaned, reference, working, source_face, marked, given, asked })
+        Ok(Self { cleaned, reference, working, source_face, marked, length_factors, given, asked })
     }
 
     /// The mean edge length of the base mesh that was asked for.

@@ -7,7 +7,7 @@ use crate::attempt::{EdgeChoice, Remedy};
 use crate::candidate::Candidate;
 use crate::run::Run;
 use crate::{Error, Options};
-use certify::{Reference, SharpEdges, accepted_distance, mean_edge};
+use certify::{Reference, SharpEdges, mean_edge};
 use mesh_core::{FaceId, TriMesh};
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ const MOST_GROWTH: f64 = 0.5;
 /// Finishes a candidate by `finish`, and refines its base mesh where the result misses the input, as long as that helps. The result that misses
 /// least is kept.
 ///
-/// Only where no number of base vertices is asked for: else that number holds.
+/// Only where no number of base vertices is asked for, or a distance is: else that number holds.
 pub(crate) fn followed(
     input: &Reference,
     start: Candidate,
@@ -29,14 +29,18 @@ pub(crate) fn followed(
     run: &mut Run,
     mut finish: impl FnMut(Candidate, &mut Run) -> Result<Candidate, Error>,
 ) -> Result<Candidate, Error> {
-    if options.base_vertices.is_some() || options.base_mesh.is_some() {
+    let is_number_kept = options.base_vertices.is_some() && options.max_distance.is_none();
+    if is_number_kept || options.base_mesh.is_some() {
         return finish(start, run);
     }
     let mut best = finish(start.clone(), run)?;
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
     let (n_faults, mut now) = (best.n_faults(), start);
     let sharp = options.features.finds_creases().then(|| SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh)));
-    let missed = |candidate: &Candidate| missed(input, sharp.as_ref(), &candidate.relaxed.domain.mesh);
+    let missed = |candidate: &Candidate| {
+        let mesh = &candidate.relaxed.domain.mesh;
+        missed(input, sharp.as_ref(), mesh, MARGIN * options.accepted_distance(input.diagonal(), mean_edge(mesh)))
+    };
     let mut last = missed(&best);
     let mut least = last.badness();
     for _ in 0..ROUNDS {
@@ -77,8 +81,8 @@ impl Misses {
     }
 }
 
-fn missed(input: &Reference, sharp: Option<&SharpEdges>, mesh: &TriMesh) -> Misses {
-    let accepted = MARGIN * accepted_distance(input.diagonal(), mean_edge(mesh));
+/// Where a result is farther from the input than what is accepted, a length.
+fn missed(input: &Reference, sharp: Option<&SharpEdges>, mesh: &TriMesh, accepted: f64) -> Misses {
     let far = certify::missed(input, mesh, accepted);
     // On an input that cuts itself the result must do so, too, in triangles of its own.
     let cuts = if input.self_intersecting().is_empty() { certify::self_intersecting(mesh) } else { Vec::new() };
