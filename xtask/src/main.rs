@@ -13,6 +13,7 @@ mod python;
 mod regress;
 mod remesher;
 mod results;
+mod sizes;
 mod tidy;
 mod torture;
 mod workers;
@@ -49,6 +50,8 @@ enum Chore {
     Cost(cost::Args),
     /// Remesh the paper's models by its pipeline as it is printed and by our default, and write the tables of docs/paper.md
     Paper(paper::Args),
+    /// Remesh fixtures to sizes and errors that are asked for, and write the tables of docs/sizes.md
+    Sizes(sizes::Args),
     /// Remesh the fixtures at the defaults, and write the pictures and the table of docs/gallery.md
     Gallery(gallery::Args),
     /// Remesh random solids at the defaults, and tell the share that is right and the causes of the others, with their seeds
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
         Chore::Bench(args) => bench::run(&args),
         Chore::Cost(args) => cost::run(&args),
         Chore::Paper(args) => paper::run(&args),
+        Chore::Sizes(args) => sizes::run(&args),
         Chore::Gallery(args) => gallery::run(&args),
         Chore::Torture(args) => torture::run(&args),
     };

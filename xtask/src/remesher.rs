@@ -90,6 +90,11 @@ impl Remesher {
         })
     }
 
+    /// Remeshes to a size that the options of the request ask for, whatever levels that takes, and checks that the result is a sound mesh.
+    pub(crate) fn sized(&self, request: &Request) -> Result<Outcome> {
+        self.call("remesh", request, &[], &["--levels=0"], |_| None)
+    }
+
     /// Makes the base mesh alone and checks it and its map to the input: after a way there and back points may be off by
     /// `max_round_trip`, a share of the diagonal.
     pub(crate) fn base(&self, request: &Request, max_round_trip: f64) -> Result<Outcome> {

@@ -165,9 +165,8 @@ pub(crate) struct Figures {
     topology_original: Counts,
     #[serde(skip)]
     sharp: Option<SharpCover>,
-    /// Mean length of an edge over the original's diagonal.
-    #[serde(skip)]
-    edge: f64,
+    /// Over the original's diagonal.
+    mean_edge: f64,
 }
 
 impl Figures {
@@ -194,20 +193,20 @@ impl Figures {
             topology: topology.into(),
             topology_original: topology_original.into(),
             sharp: None,
-            edge: 0.0,
+            mean_edge: 0.0,
         }
     }
 
     /// With what is kept of the sharp edges that a person sees, on a mesh with edges of this mean length in diagonals of the original.
     pub(crate) fn with_sharp_edges(self, sharp: Option<SharpCover>, edge: f64) -> Self {
-        Self { sharp_cover: sharp.map(|cover| cover.share), sharp, edge, ..self }
+        Self { sharp_cover: sharp.map(|cover| cover.share), sharp, mean_edge: edge, ..self }
     }
 
     /// Appends the lines that matter, each with a verdict.
     pub(crate) fn summary(&self, table: &mut Table) {
         table.row("mesh", format!("{} vertices, {} triangles: {}", self.vertices, self.faces, self.topology.words()));
         self.shape.summary(table);
-        let verdict = Verdict::of_distance(self.err_max, self.edge);
+        let verdict = Verdict::of_distance(self.err_max, self.mean_edge);
         let [mean, greatest] = [self.err_mean, self.err_max].map(percent);
         table.row("distance", format!("{verdict}: {mean} of the diagonal in the mean, {greatest} at most"));
         let words = |kept: SharpCover| {

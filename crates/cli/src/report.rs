@@ -38,6 +38,8 @@ pub(crate) struct Report {
     /// Iterations of the paper's relaxation.
     relax_iterations: usize,
     fit: Option<Fit>,
+    /// Of the input's box, in its units.
+    diagonal: f64,
     #[serde(flatten)]
     figures: Figures,
     pub(crate) seconds: Seconds,
@@ -239,6 +241,7 @@ impl Report {
     pub(crate) fn new(plan: &RemeshPlan, files: &ResultFiles, remeshed: &Remeshed) -> Self {
         let report = &remeshed.report;
         let certificate = &report.certificate;
+        let diagonal = remeshed.stages.base.cleaned.mesh.diagonal();
         let mut warnings = report.warnings.clone();
         warnings.extend(certificate.warnings().iter().map(ToString::to_string));
         Self {
@@ -270,11 +273,10 @@ impl Report {
             cells: report.cells.into(),
             crease_length: report.crease_lengths.into(),
             relax_iterations: report.relax.quadric_iterations,
-            fit: report.fit.map(|fit| Fit::new(fit, remeshed.stages.base.cleaned.mesh.diagonal())),
-            figures: Figures::new(&certificate.measures, |t| t.indexed).with_sharp_edges(
-                report.sharp_edges,
-                certify::mean_edge(&remeshed.mesh) / remeshed.stages.base.cleaned.mesh.diagonal(),
-            ),
+            fit: report.fit.map(|fit| Fit::new(fit, diagonal)),
+            diagonal,
+            figures: Figures::new(&certificate.measures, |t| t.indexed)
+                .with_sharp_edges(report.sharp_edges, certify::mean_edge(&remeshed.mesh) / diagonal),
             seconds: Seconds::new(&report.seconds),
         }
     }
