@@ -4,6 +4,7 @@
 //! error, 2 wrong usage, 130 cancelled by the user.
 
 mod args;
+mod arrays;
 mod base;
 mod batch;
 mod carry;
