@@ -18,6 +18,16 @@ pub(crate) fn floats<'a>(name: &str, width: usize, values: &'a [f64]) -> Array<'
     Array { name: name.to_owned(), shape: shape(values.len(), width), values: Numbers::Float(values.into()) }
 }
 
+/// The same of integers of 32 bits.
+pub(crate) fn int32<'a>(name: &str, width: usize, values: &'a [i32]) -> Array<'a> {
+    Array { name: name.to_owned(), shape: shape(values.len(), width), values: Numbers::Int32(values.into()) }
+}
+
+/// A single number.
+pub(crate) fn one<'a>(name: &str, value: f64) -> Array<'a> {
+    Array { name: name.to_owned(), shape: Vec::new(), values: Numbers::Float(vec![value].into()) }
+}
+
 fn shape(n: usize, width: usize) -> Vec<usize> {
     if width == 1 { vec![n] } else { vec![n / width, width] }
 }

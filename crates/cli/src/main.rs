@@ -10,6 +10,11 @@ mod batch;
 mod carry;
 mod check;
 mod compare;
+mod decode;
+mod decode_args;
+mod displacement_arrays;
+mod displacement_figures;
+mod displacement_folder;
 mod failure;
 mod figures;
 mod inspect;
@@ -69,6 +74,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Inspect(args) => inspect::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Decode(args) => decode::run(&args),
     }
 }
 

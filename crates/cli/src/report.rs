@@ -1,5 +1,6 @@
 //! The report of a remeshing, as JSON and as a table.
 
+use crate::displacement_figures::DisplacementFigures;
 use crate::figures::Figures;
 use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
@@ -37,6 +38,8 @@ pub(crate) struct Report {
     fit: Option<Fit>,
     #[serde(flatten)]
     figures: Figures,
+    /// Null where none is written.
+    pub(crate) displacement: Option<DisplacementFigures>,
     pub(crate) seconds: Seconds,
 }
 
@@ -225,6 +228,7 @@ impl Report {
                 report.sharp_edges,
                 certify::mean_edge(&remeshed.mesh) / remeshed.stages.base.cleaned.mesh.diagonal(),
             ),
+            displacement: None,
             seconds: Seconds::new(&report.seconds),
         }
     }
@@ -253,6 +257,9 @@ impl Report {
         };
         table.row("base mesh", format!("{}, {split}", self.base_vertices.words()));
         self.figures.summary(&mut table);
+        if let Some(displacement) = &self.displacement {
+            displacement.summary(&mut table);
+        }
         self.repairs.summary(&mut table);
         warning_rows(&mut table, &self.warnings);
         table
@@ -269,6 +276,9 @@ impl Report {
             fit.row(&mut table);
         }
         self.figures.rows(&mut table);
+        if let Some(displacement) = &self.displacement {
+            displacement.rows(&mut table);
+        }
         course_rows(&mut table, &self.repairs, &self.warnings, &self.seconds);
         table
     }
