@@ -2,7 +2,8 @@
 //!
 //! A new vertex of a level is predicted in the middle of its edge of the level before. Its displacement from there has a part along the
 //! normal of that edge, the *scalar displacement*, and a part across it, the *tangential residual*; [`Frame`] says along which axes. With both
-//! the mesh comes back to rounding. On smooth surfaces the scalar has nearly all of it, and the residual can be dropped.
+//! the mesh comes back to rounding. Where vertices were placed along normals, the residual is small and can be dropped; where they were moved along
+//! the surface, as in a relaxed mesh, it is as large as the scalar.
 //!
 //! ```
 //! use displacement::{EncodeOptions, Residual, encode, figures};
