@@ -1,8 +1,9 @@
 //! The command line as the user types it.
 
+use crate::decode_args::DecodeArgs;
 use crate::goal_args::GoalArgs;
 use crate::kept::{FeaturesArg, KeepArg};
-use crate::number::{amount, base_vertices, degrees, levels, seed, slope, threads, variants};
+use crate::number::{amount, base_vertices, bits, degrees, levels, seed, slope, threads, variants};
 use crate::paper_args::PaperArgs;
 use crate::shard::Shard;
 use crate::stream::is_stream;
@@ -37,6 +38,8 @@ pub(crate) enum Command {
     Compare(CompareArgs),
     /// Check that a file is a sound mesh of so many subdivision levels; exit 1 if not
     Check(CheckArgs),
+    /// Make a mesh of the displacements that `remesh --displacement` wrote
+    Decode(DecodeArgs),
 }
 
 #[derive(clap::Args)]
@@ -137,6 +140,12 @@ pub(crate) struct OutputArgs {
     /// Write where everything of OUTPUT is on the input, and the other way round, to this file, an npz for numpy
     #[arg(long, value_name = "FILE")]
     pub(crate) map: Option<PathBuf>,
+    /// Write the base mesh and the displacements of all levels into this folder: arrays for numpy, and the base mesh as usda and glb
+    #[arg(long, value_name = "DIR")]
+    pub(crate) displacement: Option<PathBuf>,
+    /// Quantise displacements to N bits each [default: as they are]
+    #[arg(long, value_name = "N", value_parser = bits, allow_negative_numbers = true, requires = "displacement")]
+    pub(crate) displacement_bits: Option<u8>,
     /// Order of the faces of each level [default: children]
     #[arg(long, value_name = "ORDER", value_enum, default_value_t = OrderArg::Children, hide_default_value = true)]
     pub(crate) order: OrderArg,
@@ -196,8 +205,7 @@ pub(crate) struct SourceArgs {
     /// Edges to keep whatever their angle: the lines of this file (`l` of an obj, `edge` of a ply) between places of input vertices
     #[arg(long, value_name = "FILE")]
     pub(crate) marked_edges: Option<PathBuf>,
-    /// Where base vertices shall be denser: a number above 0 for each vertex of the input, as the property `density` of a ply with the same
-    /// vertices, or its only one, or an npy with one dimension
+    /// Where base vertices shall be denser: a number above 0 for each vertex of the input, as the property `density` of a ply, or as an npy
     #[arg(long, value_name = "FILE")]
     pub(crate) density: Option<PathBuf>,
     /// Number of threads; the result does not depend on it [default: one for each processor]
@@ -316,6 +324,7 @@ impl Command {
             Self::Inspect(args) => args.talk,
             Self::Compare(args) => args.talk,
             Self::Check(args) => args.talk,
+            Self::Decode(args) => args.talk(),
         }
     }
 }
@@ -365,6 +374,7 @@ mod tests {
             ("--base-vertices", "-5", "from 1 to 4294967295"),
             ("--variants", "0", "from 1 to 1000"),
             ("--level", "9", "from 0 to 8"),
+            ("--displacement-bits", "25", "from 2 to 24"),
             ("--threads", "-2", "from 1 to 1024"),
             ("--seed", "-1", "from 0 to"),
             ("--vertices", "3", "from 4 to"),

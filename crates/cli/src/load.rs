@@ -5,7 +5,7 @@ use crate::stream::Source;
 use anyhow::Context as _;
 use glam::DVec3;
 use mesh_core::{Soup, TriMesh};
-use mesh_io::Extra;
+use mesh_io::{Extra, Numbers};
 use std::path::Path;
 
 /// A mesh that was not cleaned.
@@ -41,17 +41,29 @@ pub(crate) fn lines(path: &Path) -> anyhow::Result<Vec<[DVec3; 2]>> {
     document.lines.iter().enumerate().map(ends).collect()
 }
 
-/// The densities of a file: its property of that name at the vertices, or the only one.
+/// The densities of a file: of its properties at the vertices or its arrays the one of that name, or the only one.
 pub(crate) fn density(path: &Path) -> anyhow::Result<Vec<f64>> {
-    let (mut values, name) = (mesh_io::read(path)?.attributes.vertex_values, path.display());
-    let at = values.iter().position(|v| v.name == "density").or((values.len() == 1).then_some(0));
-    match at {
-        Some(at) => Ok(values.swap_remove(at).values),
-        None => {
-            let message =
-                format!("{name} has no density; give a ply whose vertices have a property `density`, or one property alone");
-            Err(Failure::new(Kind::Usage, message).into())
+    let mut named: Vec<(String, Vec<f64>)> = match path.extension() {
+        Some(extension) if extension == "npy" || extension == "npz" => {
+            mesh_io::read_arrays(path)?.into_iter().map(|array| (array.name, floats(array.values))).collect()
         }
+        _ => mesh_io::read(path)?.attributes.vertex_values.into_iter().map(|v| (v.name, v.values)).collect(),
+    };
+    let at = named.iter().position(|(name, _)| name == "density").or((named.len() == 1).then_some(0));
+    match at {
+        Some(at) => Ok(named.swap_remove(at).1),
+        None => {
+            let remedy = "give a ply with a property `density` of its vertices, or an npy";
+            Err(Failure::new(Kind::Usage, format!("{} has no density; {remedy}", path.display())).into())
+        }
+    }
+}
+
+fn floats(numbers: Numbers) -> Vec<f64> {
+    match numbers {
+        Numbers::Float(values) => values.into_owned(),
+        Numbers::Int(values) => values.iter().map(|&n| n as f64).collect(),
+        Numbers::Int32(values) => values.iter().map(|&n| f64::from(n)).collect(),
     }
 }
 

@@ -4,11 +4,17 @@
 //! error, 2 wrong usage, 130 cancelled by the user.
 
 mod args;
+mod arrays;
 mod base;
 mod batch;
 mod carry;
 mod check;
 mod compare;
+mod decode;
+mod decode_args;
+mod displacement_arrays;
+mod displacement_figures;
+mod displacement_folder;
 mod failure;
 mod figures;
 mod goal_args;
@@ -69,6 +75,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Inspect(args) => inspect::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Decode(args) => decode::run(&args),
     }
 }
 

@@ -64,6 +64,11 @@ pub(crate) fn variants(text: &str) -> Result<u32, String> {
     whole(text, 1..=1_000).map(|n| n as u32)
 }
 
+/// Bits that a number is quantised to.
+pub(crate) fn bits(text: &str) -> Result<u8, String> {
+    whole(text, 2..=24).map(|n| n as u8)
+}
+
 /// A seed.
 pub(crate) fn seed(text: &str) -> Result<u64, String> {
     whole(text, 0..=u64::MAX)

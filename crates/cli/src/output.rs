@@ -1,6 +1,8 @@
 //! The result with what belongs to it: normals, feature curves, and what the input has.
 
 use crate::carry::{Carrier, looks};
+use crate::displacement_figures::DisplacementFigures;
+use crate::displacement_folder::{self, Contents};
 use crate::kept::FeaturesArg;
 use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
@@ -8,9 +10,10 @@ use crate::{load, map_file};
 use glam::DVec3;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
 use mesh_io::{Attributes, Document, Extra, Format, Level, Looks, Settings};
-use region_map::ArcKind;
+use region_map::{ArcKind, Attachment};
 use semireg::{Levels, Remeshed};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// What the files of a result are written from.
 pub(crate) struct Writer<'a> {
@@ -25,6 +28,13 @@ pub(crate) struct Writer<'a> {
     format: Format,
     /// `None` where the input has nothing that the files could have.
     carrier: Option<Carrier<'a>>,
+}
+
+/// What came of writing.
+pub(crate) struct Written {
+    /// Warnings of what the input has and the output does not.
+    pub(crate) lost: Vec<String>,
+    pub(crate) displacement: Option<DisplacementFigures>,
 }
 
 /// A level with what belongs to it.
@@ -60,13 +70,13 @@ impl<'a> Writer<'a> {
         Ok(Self { plan, document, remeshed, levels, level, files, format, carrier })
     }
 
-    /// Writes the files; returns warnings of what the input has and the output does not. The output comes last: when anything fails, there
-    /// is no result beside the error.
-    pub(crate) fn write(&self) -> anyhow::Result<Vec<String>> {
+    /// Writes the files. The output comes last: when anything fails, there is no result beside the error.
+    pub(crate) fn write(&self) -> anyhow::Result<Written> {
         let (outputs, files, level) = (&self.plan.outputs, self.files, self.level);
         if let Some(path) = &files.map {
             map_file::write(path, &self.remeshed.map(&self.document.soup, level, outputs.order)?)?;
         }
+        let displacement = files.displacement.as_deref().map(|folder| self.write_displacement(folder)).transpose()?;
         let written = self.dressed(level)?;
         let coarser: Vec<Dressed> = match outputs.all_levels {
             true => (0..level).map(|k| self.dressed(k)).collect::<anyhow::Result<_>>()?,
@@ -80,7 +90,29 @@ impl<'a> Writer<'a> {
             Some(path) => mesh_io::write_levels(path, &all)?,
             None => files.output.write_with(&written.mesh, &written.settings())?,
         }
-        Ok(self.lost(&written.attributes))
+        Ok(Written { lost: self.lost(&written.attributes), displacement })
+    }
+
+    /// Writes the folder of displacements up to the level of the output.
+    fn write_displacement(&self, folder: &Path) -> anyhow::Result<DisplacementFigures> {
+        let (level, bits) = (self.level, self.plan.outputs.displacement_bits);
+        let curves = self.curves(0)?;
+        let corners = self.base_corners(&curves)?;
+        let creases: Vec<[u32; 2]> = curves.into_keys().map(|ends| ends.map(|v| v.0)).collect();
+        let mesh = self.levels.mesh(level)?;
+        displacement_folder::write(folder, &Contents { mesh: &mesh, level, bits, creases: &creases, corners: &corners })
+    }
+
+    /// Vertices of the base mesh at corners of the network, and where one feature curve ends or several meet. Borders count as curves.
+    fn base_corners(&self, curves: &Curves) -> anyhow::Result<Vec<u32>> {
+        let base = self.levels.mesh(0)?;
+        let topology = Topology::new(base.faces(), base.n_vertices())?;
+        let borders = topology.edge_ids().filter(|&e| topology.is_border_edge(e)).map(|e| topology.ends(e));
+        let mut n_curves: IdVec<VertexId, usize> = IdVec::filled(0, base.n_vertices());
+        borders.chain(curves.keys().copied()).flatten().for_each(|v| n_curves[v] += 1);
+        let attachments = &self.remeshed.stages.region.attachments;
+        let is_corner = |v: &VertexId| ![0, 2].contains(&n_curves[*v]) || matches!(attachments[*v], Attachment::Corner(_));
+        Ok(n_curves.ids().filter(is_corner).map(|v| v.0).collect())
     }
 
     /// A level with what belongs to it.

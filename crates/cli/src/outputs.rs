@@ -1,6 +1,7 @@
 //! The files of a remeshing: the result or one of its levels, all levels, the map, and all of these for each variant.
 
 use crate::args::OutputArgs;
+use crate::displacement_folder;
 use crate::failure::{Failure, Kind};
 use crate::stream::Target;
 use mesh_io::Format;
@@ -18,6 +19,8 @@ pub(crate) struct Outputs {
     /// Whether every level is written, too.
     pub(crate) all_levels: bool,
     pub(crate) order: FaceOrder,
+    /// Bits of displacements; none where they are not quantised.
+    pub(crate) displacement_bits: Option<u8>,
     /// One for each result that is made.
     pub(crate) results: Vec<ResultFiles>,
 }
@@ -30,6 +33,8 @@ pub(crate) struct ResultFiles {
     /// A file for each level, the base mesh first; empty where the output has them all or none is wanted.
     pub(crate) levels: Vec<PathBuf>,
     pub(crate) map: Option<PathBuf>,
+    /// The folder of displacements.
+    pub(crate) displacement: Option<PathBuf>,
 }
 
 impl Outputs {
@@ -52,12 +57,18 @@ impl Outputs {
         };
         let finest = levels.unwrap_or(MOST_LEVELS);
         let results = (seed..=last).map(|seed| ResultFiles::new(args, output, finest, seed)).collect();
-        Ok(Self { level: args.level, all_levels: args.all_levels, order: args.order.into(), results })
+        let (order, displacement_bits) = (args.order.into(), args.displacement_bits);
+        Ok(Self { level: args.level, all_levels: args.all_levels, order, displacement_bits, results })
     }
 
     /// All files that may be written.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         self.results.iter().flat_map(ResultFiles::all).collect()
+    }
+
+    /// All folders that are needed.
+    pub(crate) fn folders(&self) -> impl Iterator<Item = &Path> {
+        self.results.iter().filter_map(|files| files.displacement.as_deref())
     }
 
     /// Whether the output holds all levels.
@@ -75,7 +86,11 @@ impl ResultFiles {
         };
         let of_levels = output.file().filter(|path| args.all_levels && !holds_all_levels(path));
         let levels = of_levels.map(|path| (0..=levels).map(|k| with_part(path, &format!(".{k}"))).collect());
-        Self { seed, levels: levels.unwrap_or_default(), map: args.map.as_deref().map(numbered), output }
+        let displacement = args.displacement.as_deref().map(|folder| match args.variants {
+            Some(_) => folder.with_file_name(format!("{}-{seed}", folder.file_name().unwrap_or_default().to_string_lossy())),
+            None => folder.to_owned(),
+        });
+        Self { seed, levels: levels.unwrap_or_default(), map: args.map.as_deref().map(numbered), displacement, output }
     }
 
     /// Those of a result that has so many levels.
@@ -88,7 +103,8 @@ impl ResultFiles {
     /// All of them, the output first.
     pub(crate) fn all(&self) -> Vec<PathBuf> {
         let output = self.output.file().map(Path::to_owned);
-        output.into_iter().chain(self.levels.iter().chain(&self.map).cloned()).collect()
+        let displacement = self.displacement.as_deref().map(displacement_folder::files).unwrap_or_default();
+        output.into_iter().chain(self.levels.iter().chain(&self.map).cloned()).chain(displacement).collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Files that would be written over files that are read.
 
 use crate::failure::{Failure, Kind};
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -20,16 +21,31 @@ pub(crate) fn check<'a>(read: impl IntoIterator<Item = &'a Path>, written: &[Pat
     Ok(())
 }
 
-/// Fails when two files that will be written have one name.
+/// Fails when a file that will be written has the name of a picture.
 pub(crate) fn check_distinct(output: &Path, others: &[PathBuf]) -> Result<(), Failure> {
-    let place = |path: &Path| {
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        fs::canonicalize(folder).map(|folder| folder.join(path.file_name().unwrap_or_default())).ok()
-    };
     let Some(taken) = place(output) else { return Ok(()) };
     if others.iter().any(|other| place(other).is_some_and(|p| p == taken)) {
         let message = format!("{} is also the name of a picture of a stage; name another file or folder", output.display());
         return Err(Failure::new(Kind::Overwrite, message));
     }
     Ok(())
+}
+
+/// Fails when two files of a result have one name.
+pub(crate) fn check_different(files: &[PathBuf]) -> Result<(), Failure> {
+    let mut taken = HashSet::new();
+    match files.iter().find(|file| place(file).is_some_and(|place| !taken.insert(place))) {
+        Some(twice) => {
+            let message =
+                format!("{} would be written twice, as two parts of the result; name another file or folder", twice.display());
+            Err(Failure::new(Kind::Overwrite, message))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Where a file is or will be; none where its folder is not there.
+fn place(path: &Path) -> Option<PathBuf> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::canonicalize(folder).map(|folder| folder.join(path.file_name().unwrap_or_default())).ok()
 }

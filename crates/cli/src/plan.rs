@@ -59,9 +59,11 @@ impl RemeshPlan {
         check_overwrite(&args.source, args.base.as_deref(), &[pictures.as_slice(), files.as_slice()].concat())?;
         // First, as the result may go into the same folder.
         args.stages.as_deref().map(|folder| make_folder(folder, "--stages")).transpose()?;
+        outputs.folders().try_for_each(|folder| make_folder(folder, "--displacement"))?;
         output.file().map(check_output).transpose()?;
         files.iter().try_for_each(|file| check_place(file))?;
         files.iter().try_for_each(|file| overwrite::check_distinct(file, &pictures))?;
+        overwrite::check_different(&files)?;
         start_threads(&args.source)?;
         add_files(&mut options, &args.source)?;
         let (talk, marks, is_several) = (args.talk(), Marks::asked(&args.source.making), args.outputs.variants.is_some());
@@ -199,7 +201,7 @@ fn check_size(base_vertices: Option<u32>, levels: u32) -> Result<(), Failure> {
 }
 
 /// The extension is known, and the folder is there and takes files.
-fn check_output(output: &Path) -> anyhow::Result<()> {
+pub(crate) fn check_output(output: &Path) -> anyhow::Result<()> {
     mesh_io::writable_format(output).with_context(|| format!("cannot write {}", output.display()))?;
     check_place(output)
 }

@@ -1,6 +1,6 @@
 //! `semireg remesh`: read, remesh, write, report; once, or for several seeds.
 
-use crate::output::Writer;
+use crate::output::{Writer, Written};
 use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
 use crate::print;
@@ -77,10 +77,11 @@ impl Work<'_> {
         if let Some(folder) = &plan.stages {
             stages::write(folder, &remeshed)?;
         }
-        let lost = Writer::new(plan, document, &remeshed, files)?.write()?;
+        let Written { lost, displacement } = Writer::new(plan, document, &remeshed, files)?.write()?;
         drop(meter);
         let write_seconds = before_writing.elapsed().as_secs_f64();
         let mut report = Report::new(plan, files, &remeshed);
+        report.displacement = displacement;
         lost.into_iter().for_each(|warning| report.add_warning(Some(warning)));
         report.add_warning(self.same_as(files.seed, &remeshed));
         report.seconds.add("read", read_seconds);

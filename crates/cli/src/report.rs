@@ -1,5 +1,6 @@
 //! The report of a remeshing, as JSON and as a table.
 
+use crate::displacement_figures::DisplacementFigures;
 use crate::figures::Figures;
 use crate::outputs::ResultFiles;
 use crate::plan::RemeshPlan;
@@ -42,6 +43,8 @@ pub(crate) struct Report {
     diagonal: f64,
     #[serde(flatten)]
     figures: Figures,
+    /// Null where none is written.
+    pub(crate) displacement: Option<DisplacementFigures>,
     pub(crate) seconds: Seconds,
 }
 
@@ -277,6 +280,7 @@ impl Report {
             diagonal,
             figures: Figures::new(&certificate.measures, |t| t.indexed)
                 .with_sharp_edges(report.sharp_edges, certify::mean_edge(&remeshed.mesh) / diagonal),
+            displacement: None,
             seconds: Seconds::new(&report.seconds),
         }
     }
@@ -305,6 +309,9 @@ impl Report {
         };
         table.row("base mesh", format!("{}, {split}", self.base_vertices.words()));
         self.figures.summary(&mut table);
+        if let Some(displacement) = &self.displacement {
+            displacement.summary(&mut table);
+        }
         self.repairs.summary(&mut table);
         warning_rows(&mut table, &self.warnings);
         table
@@ -322,6 +329,9 @@ impl Report {
             fit.row(&mut table);
         }
         self.figures.rows(&mut table);
+        if let Some(displacement) = &self.displacement {
+            displacement.rows(&mut table);
+        }
         course_rows(&mut table, &self.repairs, &self.warnings, &self.seconds);
         table
     }

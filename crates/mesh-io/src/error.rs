@@ -151,6 +151,15 @@ impl Fault {
     pub(crate) fn unsupported(what: impl Into<String>, remedy: &'static str) -> Self {
         Self::Unsupported { what: what.into(), remedy }
     }
+    /// The same, said of a part of the file.
+    pub(crate) fn of(self, part: &str) -> Self {
+        match self {
+            Self::Malformed { line, what } => Self::Malformed { line, what: format!("{part}: {what}") },
+            Self::Packed { what } => Self::Packed { what: format!("{part}: {what}") },
+            Self::Unsupported { what, remedy } => Self::Unsupported { what: format!("{part}: {what}"), remedy },
+            Self::Io { .. } => self,
+        }
+    }
     /// The error of the file at `path`.
     pub(crate) fn at(self, path: &Path) -> ReadError {
         let path = path.to_owned();

@@ -4,6 +4,8 @@
 //! (texture coordinates, materials, animations, ...) is named in [`Document::extras`], and what of it is read is in [`Attributes`].
 //! [`write()`] and [`write_with`] are atomic and keep the order of vertices and faces.
 //!
+//! Beside meshes there are arrays for numpy ([`write_arrays`], [`read_arrays`]) and the control mesh of a subdivision surface ([`usda_bytes`]).
+//!
 //! ```
 //! use mesh_io::{Format, read_bytes, write_bytes};
 //!
@@ -37,6 +39,7 @@ mod settings;
 mod single_precision;
 mod stl;
 mod text;
+mod usda;
 mod write;
 
 pub use attributes::{Attributes, Labels, ValueKind, Values};
@@ -46,8 +49,10 @@ pub use extra::Extra;
 pub use format::Format;
 pub use looks::Looks;
 pub use npz::{Array, Numbers};
-pub use read::{read, read_bytes, read_from, readable_format};
+pub use read::{read, read_arrays, read_arrays_bytes, read_bytes, read_from, readable_format};
 pub use settings::{Level, Settings};
+pub use usda::{ControlMesh, usda_bytes};
 pub use write::{
-    writable_format, write, write_arrays, write_bytes, write_bytes_with, write_colored_ply, write_levels, write_with,
+    array_bytes, writable_format, write, write_arrays, write_bytes, write_bytes_with, write_colored_ply, write_files,
+    write_levels, write_with,
 };

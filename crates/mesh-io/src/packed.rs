@@ -31,7 +31,7 @@ pub(crate) fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
     if !bytes.iter().zip(FIRST_BYTES).all(|(found, first)| *found == first) {
         return Err(Fault::packed("its name ends in .gz, but it is no gz file"));
     }
-    let most = (MOST_GROWTH * bytes.len() as u64).clamp(ALWAYS_ALLOWED, NEVER_ALLOWED);
+    let most = most_unpacked(bytes.len());
     let mut contents = Vec::new();
     MultiGzDecoder::new(bytes).take(most + 1).read_to_end(&mut contents).map_err(fault)?;
     if contents.len() as u64 > most {
@@ -39,6 +39,11 @@ pub(crate) fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
         return Err(Fault::unsupported(what, "unpack it first if it is what it should be"));
     }
     Ok(contents)
+}
+
+/// How many bytes may come out of a compressed file of so many.
+pub(crate) fn most_unpacked(n: usize) -> u64 {
+    (MOST_GROWTH * n as u64).clamp(ALWAYS_ALLOWED, NEVER_ALLOWED)
 }
 
 fn fault(error: std::io::Error) -> Fault {

@@ -2,6 +2,7 @@
 
 use crate::document::Document;
 use crate::error::{Fault, ReadError};
+use crate::npz::{self, Array};
 use crate::{Format, gltf, obj, off, packed, ply, stl};
 use std::fs;
 use std::io::Read;
@@ -38,6 +39,20 @@ pub fn read_from(stream: &mut impl Read, name: &str, format: Format) -> Result<D
         bytes = packed::unpack(&bytes).map_err(|fault| fault.at(name))?;
     }
     parse(&bytes, format, None).map_err(|fault| fault.at(name))
+}
+
+/// Reads the arrays of an npz, as `numpy.savez` and `numpy.savez_compressed` write it, whatever the extension of `path`: `float64`, `int64` and
+/// `int32` in C order, little endian. An npy, as `numpy.save` writes it, has one array without a name.
+///
+/// Fails for what is no npz, is damaged, or holds arrays of another kind. The limits of [`read()`] hold.
+pub fn read_arrays(path: &Path) -> Result<Vec<Array<'static>>, ReadError> {
+    let bytes = fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    npz::read(&bytes).map_err(|fault| fault.at(path))
+}
+
+/// The same of the contents of a file.
+pub fn read_arrays_bytes(bytes: &[u8]) -> Result<Vec<Array<'static>>, ReadError> {
+    npz::read(bytes).map_err(|fault| fault.at(Path::new("<bytes>")))
 }
 
 /// The format that [`read()`] would take a file of this name for: that of its extension, before `.gz` where there is one.

@@ -89,8 +89,31 @@ pub fn write_levels(path: &Path, levels: &[Level]) -> Result<(), WriteError> {
 /// Writes arrays into an npz, the format of `numpy.savez`, whatever the extension of `path`; atomic as [`write()`] is. The same arrays
 /// give the same bytes.
 pub fn write_arrays(path: &Path, arrays: &[Array]) -> Result<(), WriteError> {
-    let bytes = npz::write(arrays).map_err(|source| WriteError::Io { path: path.to_owned(), source })?;
+    let bytes = array_bytes(arrays).map_err(|source| WriteError::Io { path: path.to_owned(), source })?;
     replace(path, &bytes)
+}
+
+/// The bytes that [`write_arrays`] would put into the file. Fails for names and arrays that are too long for a zip file.
+pub fn array_bytes(arrays: &[Array]) -> io::Result<Vec<u8>> {
+    npz::write(arrays)
+}
+
+/// Writes several files that belong together: the contents of each go to a temporary file beside it, and only when all are written do these
+/// take the places of the targets.
+///
+/// Nothing is left on failure but, where a target cannot be replaced, those before it in the list.
+pub fn write_files(files: &[(PathBuf, Vec<u8>)]) -> Result<(), WriteError> {
+    let temporary: Vec<PathBuf> = files.iter().map(|(path, _)| temporary_beside(path)).collect();
+    let failed = |path: &Path, source| WriteError::Io { path: path.to_owned(), source };
+    let pairs = || files.iter().zip(&temporary);
+    let written = pairs().try_for_each(|((path, bytes), temporary)| fs::write(temporary, bytes).map_err(|e| failed(path, e)));
+    let replaced = written
+        .and_then(|()| pairs().try_for_each(|((path, _), temporary)| fs::rename(temporary, path).map_err(|e| failed(path, e))));
+    if replaced.is_err() {
+        // Some were never made; the first error is the one to tell.
+        temporary.iter().for_each(|path| drop(fs::remove_file(path)));
+    }
+    replaced
 }
 
 /// The bytes that [`write()`] would put into the file.

@@ -1,7 +1,7 @@
 //! Writes the seeds, `corpus/<target>/*`: small fixtures in every format, and files that use the rarer parts of each.
 
 use mesh_core::{CleanOptions, TriMesh, clean};
-use mesh_io::{Format, write_bytes};
+use mesh_io::{Array, Format, Numbers, array_bytes, write_bytes};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -67,7 +67,13 @@ fn main() -> Result<(), Failure> {
     for (target, name, contents) in BY_HAND {
         save(&fuzz, target, name, contents.as_bytes())?;
     }
-    Ok(())
+    let array = |name: &str, shape: &[usize], values| Array { name: name.to_owned(), shape: shape.to_vec(), values };
+    let arrays = [
+        array("a", &[2, 1], Numbers::Float(vec![0.5, 1.0].into())),
+        array("b", &[3], Numbers::Int(vec![1, 2, 3].into())),
+        array("c", &[], Numbers::Int32(vec![7].into())),
+    ];
+    save(&fuzz, "npz", "arrays", &array_bytes(&arrays)?)
 }
 
 fn load(path: &Path) -> Result<TriMesh, Failure> {

@@ -30,6 +30,8 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
         "mesh-core" | "conjugate-gradients" | "xtask" => Some(vec![]),
         "mesh-io" | "attributes" | "region-map" | "certify" | "correspondence" | "fixtures" => Some(vec!["mesh-core"]),
         "view" => Some(BASIS.to_vec()),
+        // It takes meshes apart by the levels that correspondence finds in them.
+        "displacement" => Some(vec!["mesh-core", "correspondence"]),
         // The stages that solve systems with unknowns at vertices.
         "relax" | "fit" => Some([BASIS, &["conjugate-gradients"]].concat()),
         // Both make base meshes with a map, by the same charts.
@@ -41,7 +43,7 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
         "semireg" => Some([BASIS, STAGES, &["certify", "correspondence"]].concat()),
         // For the property tests of the stages only.
         "odd-arguments" => Some([BASIS, &["fixtures"]].concat()),
-        "cli" => Some([BASIS, &["mesh-io", "attributes", "features", "certify", "view", "semireg"]].concat()),
+        "cli" => Some([BASIS, &["mesh-io", "attributes", "features", "certify", "displacement", "view", "semireg"]].concat()),
         _ => None,
     }
 }

@@ -3,6 +3,7 @@
 mod attributes;
 mod base;
 mod batch;
+mod displacement;
 mod failures;
 mod outputs;
 mod progress;

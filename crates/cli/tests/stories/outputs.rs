@@ -101,7 +101,7 @@ fn variants_that_cannot_differ_are_told() {
 }
 
 /// A Python with numpy: that of the variable, else the first on the path.
-fn python() -> Option<PathBuf> {
+pub(super) fn python() -> Option<PathBuf> {
     let python = std::env::var_os("SEMIREG_PYTHON").map_or("python3".into(), PathBuf::from);
     let has_numpy = Command::new(&python).args(["-c", "import numpy"]).output().is_ok_and(|output| output.status.success());
     has_numpy.then_some(python)

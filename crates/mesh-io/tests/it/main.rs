@@ -7,12 +7,14 @@ mod extras;
 pub mod fuzz;
 mod gltf;
 mod malformed;
+mod npz;
 mod obj;
 mod off;
 mod packed;
 mod ply;
 mod round_trip;
 mod stl;
+mod usda;
 
 use glam::DVec3;
 use mesh_core::TriMesh;

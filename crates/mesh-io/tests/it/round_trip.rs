@@ -155,3 +155,22 @@ fn coloured_points_come_after_the_vertices() {
     assert_eq!((&soup.triangles, soup.positions[4]), (&mesh.to_soup().triangles, point.0));
     assert!(fs::read(&path).unwrap().windows(3).any(|w| w == point.1));
 }
+
+/// Several files are all replaced, or none is.
+#[test]
+fn files_are_written_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let names = || {
+        let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    let file = |name: &str, text: &str| (folder.path().join(name), text.as_bytes().to_vec());
+    mesh_io::write_files(&[file("a", "1"), file("b", "2")]).unwrap();
+    let error = mesh_io::write_files(&[file("a", "3"), file("no/such", "4")]).unwrap_err();
+    assert!(error.to_string().contains("such"), "{error}");
+    assert_eq!(names(), ["a", "b"]);
+    assert_eq!(fs::read(folder.path().join("a")).unwrap(), b"1");
+    mesh_io::write_files(&[file("a", "3"), file("b", "4")]).unwrap();
+    assert_eq!(fs::read(folder.path().join("b")).unwrap(), b"4");
+}
