@@ -11,7 +11,7 @@ use crate::stream_args::{InputStreamArgs, StreamArgs, formats};
 use crate::talk::Talk;
 use clap::{Parser, Subcommand};
 use mesh_io::Format;
-use semireg::{FaceOrder, Method, Options, PaperOptions};
+use semireg::{FaceOrder, Method, PaperOptions};
 use std::path::PathBuf;
 
 /// Semi-regular remeshing of triangle meshes: few base triangles, split 1-to-4 again and again, with the creases kept.
@@ -71,7 +71,7 @@ pub(crate) struct RemeshArgs {
 pub(crate) struct ResultArgs {
     #[command(flatten)]
     pub(crate) goal: GoalArgs,
-    /// How often every base triangle is split in four [default: 2, or what suits the size that is asked for]
+    /// How often every base triangle is split in four [default: 2; 1 where the shape takes very many base vertices; what suits a size that is asked for]
     #[arg(long, value_name = "L", value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: Option<u32>,
     /// Leave the vertices on the surface, instead of where the triangles between them come closest to it
@@ -222,7 +222,7 @@ pub(crate) struct SourceArgs {
 #[derive(clap::Args)]
 pub(crate) struct MakingArgs {
     /// Wanted number of base vertices [default: three times what corners and curves need, at least 1000 and 1.6 % of the input's, at
-    /// most 2000]
+    /// most 2000; with one level up to 8000]
     #[arg(long, value_name = "N", value_parser = base_vertices, allow_negative_numbers = true)]
     pub(crate) base_vertices: Option<u32>,
     /// An edge with at least this angle between its faces, in degrees, is a crease; 180 finds none [default: 40]
@@ -301,7 +301,7 @@ pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) stream: InputStreamArgs,
     /// Subdivision levels that it shall have
-    #[arg(long, value_name = "L", default_value_t = Options::default().levels, value_parser = levels, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L", default_value_t = 2, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Triangles without area are told, but no fault: for a base mesh, which is judged by its connectivity
     #[arg(long)]

@@ -53,7 +53,7 @@ impl RemeshPlan {
         let (input, output) = args.streams.ends(&args.source.input, &args.output)?;
         let pictures = args.stages.as_deref().map(|folder| stages::files(folder, true)).unwrap_or_default();
         let goal = args.result.goal.goal(args.result.levels);
-        let levels = goal.map_or(Some(options.levels), |goal| goal.levels);
+        let levels = goal.map_or(options.levels, |goal| goal.levels);
         let outputs = Outputs::new(&args.outputs, &output, levels, args.source.making.seed)?;
         let files = outputs.files();
         check_overwrite(&args.source, args.base.as_deref(), &[pictures.as_slice(), files.as_slice()].concat())?;
@@ -76,8 +76,8 @@ impl RemeshPlan {
 pub(crate) fn remesh_options(making: &MakingArgs, result: &ResultArgs) -> Result<Options, Failure> {
     check_paper(making, result)?;
     let mut options = base_options(making)?;
-    options.levels = result.levels.unwrap_or(options.levels);
-    check_size(making.base_vertices, options.levels)?;
+    options.levels = result.levels;
+    check_size(making.base_vertices, result.levels)?;
     options.fit = options.fit.filter(|_| !result.no_fit);
     if let Method::Paper(paper) = &mut options.method {
         *paper = result.paper.options();
@@ -189,8 +189,8 @@ fn check_paper(making: &MakingArgs, result: &ResultArgs) -> Result<(), Failure> 
 }
 
 /// A closed surface has about two triangles a vertex.
-fn check_size(base_vertices: Option<u32>, levels: u32) -> Result<(), Failure> {
-    let triangles = (2 * u64::from(base_vertices.unwrap_or(0))) << (2 * levels);
+fn check_size(base_vertices: Option<u32>, levels: Option<u32>) -> Result<(), Failure> {
+    let triangles = (2 * u64::from(base_vertices.unwrap_or(0))) << (2 * levels.unwrap_or(0));
     if triangles > MAX_TRIANGLES {
         let message = format!(
             "the result would have about {triangles} triangles, more than {MAX_TRIANGLES}; lower --base-vertices or --levels"
@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn huge_results_are_refused() {
-        assert!(check_size(Some(2000), 6).is_ok());
-        assert!(check_size(Some(u32::MAX), 8).is_err());
+        assert!(check_size(Some(2000), Some(6)).is_ok());
+        assert!(check_size(Some(u32::MAX), Some(8)).is_err());
     }
 }

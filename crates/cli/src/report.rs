@@ -256,7 +256,7 @@ impl Report {
                 base: plan.base.as_ref().map(|path| path.display().to_string()),
                 base_vertices: plan.options.base_vertices,
                 goal: plan.goal.iter().map(|goal| asked(goal.target)).collect(),
-                levels: plan.goal.map_or(Some(plan.options.levels), |goal| goal.levels),
+                levels: plan.goal.map_or(plan.options.levels, |goal| goal.levels),
                 crease_angle: plan.options.features.strong_angle,
                 weak_angle: plan.options.features.weak_angle,
                 features: plan.marks.features.name(),

@@ -26,7 +26,8 @@ fn all(criterion: &mut Criterion) {
 
 /// Benches the verbs in the order of the pipeline, each on what the pipeline itself gives it (but relax and fit, before snapping).
 fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<dyn Error>> {
-    let options = Options { method: Method::Patches, base_vertices: Some(BASE_VERTICES), levels: LEVELS, ..Options::default() };
+    let options =
+        Options { method: Method::Patches, base_vertices: Some(BASE_VERTICES), levels: Some(LEVELS), ..Options::default() };
     let remeshed = remesh(soup, &options)?;
     let stages = &remeshed.stages.base;
     let patches = stages.patches.as_ref().ok_or("no patches")?;

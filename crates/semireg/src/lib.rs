@@ -6,7 +6,7 @@
 //! use semireg::{Options, remesh};
 //!
 //! let soup = fixtures::cube(3).to_soup();
-//! let remeshed = remesh(&soup, &Options { base_vertices: Some(40), levels: 2, ..Options::default() })?;
+//! let remeshed = remesh(&soup, &Options { base_vertices: Some(40), levels: Some(2), ..Options::default() })?;
 //! assert!(remeshed.report.certificate.passed());
 //! let base = remeshed.stages.base.base.mesh();
 //! assert_eq!(remeshed.mesh.n_faces(), 16 * base.n_faces());

@@ -22,8 +22,9 @@ pub struct Options {
     pub base_mesh: Option<Soup>,
     /// How the result is made: which ways to a base mesh are gone, or all of it as the paper prints it. Default [`Method::Best`].
     pub method: Method,
-    /// How often every base face is split in four, 0 to 8. Default 2.
-    pub levels: u32,
+    /// How often every base face is split in four, 0 to 8. `None`, the default, splits them twice; or once where no number of base vertices is
+    /// asked for and the shape takes very many.
+    pub levels: Option<u32>,
     /// For every vertex of the input, in its order, a number above 0 that the base vertices per area are proportional to, beside what curvature
     /// asks for. Edges get at most 10 times longer or shorter by it. Default `None`.
     pub density: Option<Vec<f64>>,
@@ -46,7 +47,15 @@ pub struct Options {
     pub fit: Option<fit::FitOptions>,
 }
 
+/// Levels where nothing asks for others.
+pub(crate) const USUAL_LEVELS: u32 = 2;
+
 impl Options {
+    /// How often every base face is split in four.
+    pub(crate) fn levels(&self) -> u32 {
+        self.levels.unwrap_or(USUAL_LEVELS)
+    }
+
     /// The distance that is accepted where edges have this mean length; all in the units of the input.
     pub(crate) fn accepted_distance(&self, diagonal: f64, mean_edge: f64) -> f64 {
         self.max_distance.map_or_else(|| certify::accepted_distance(diagonal, mean_edge), |share| share * diagonal)
@@ -60,7 +69,7 @@ impl Default for Options {
             max_distance: None,
             base_mesh: None,
             method: Method::default(),
-            levels: 2,
+            levels: None,
             density: None,
             gradation: 0.3,
             seed: 0,

@@ -8,7 +8,7 @@ use crate::goal::{Goal, reached};
 use crate::input::Input;
 use crate::progress::{OnProgress, Watch, watched};
 use crate::remeshed::{Based, Remeshed};
-use crate::rescue::{Budget, GROWTH, Loss, PLAN};
+use crate::rescue::{Budget, Loss, PLAN, growth};
 use crate::run::Run;
 use crate::verdict::Verdict;
 use crate::{Error, Options};
@@ -93,15 +93,16 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
 /// of base vertices is asked for, it then gets more of them as long as it is too coarse for the shape. The best is returned when the plan or the
 /// budget is at its end.
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
-    let budget = Budget::new(input.asked, options.levels);
-    let mut tries = Tries { input, options, budget, needed: 0, best: Best::new() };
+    let budget = Budget::new(input.asked, input.levels);
+    let sized = Options { levels: Some(input.levels), ..options.clone() };
+    let mut tries = Tries { input, options: sized, budget, needed: 0, best: Best::new() };
     let start = Instant::now();
-    match only_base(input, options, run) {
+    match only_base(input, &tries.options, run) {
         Some(made) => drop(tries.only(made, start, run)),
         None => {
             let _ = PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run));
             if options.base_vertices.is_none() {
-                tries.grow(run);
+                tries.grow(options.levels.is_none(), run);
             }
         }
     }
@@ -113,7 +114,8 @@ fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remes
 /// What is tried, and the best that has come of it.
 struct Tries<'a> {
     input: &'a Input,
-    options: &'a Options,
+    /// With the number of levels.
+    options: Options,
     budget: Budget,
     /// Base vertices that corners and arcs took so far at most.
     needed: usize,
@@ -126,7 +128,8 @@ impl Tries<'_> {
         let budget = self.budget;
         let admits = |vertices, faces| budget.admits(vertices, faces);
         let mut start = Instant::now();
-        let mut proposals = match Proposals::new(self.input, self.options, setting, self.needed, &admits, run) {
+        let options = self.options.clone();
+        let mut proposals = match Proposals::new(self.input, &options, setting, self.needed, &admits, run) {
             Ok(proposals) => proposals,
             Err(e) => return self.no_base(remedy, e, start, run),
         };
@@ -147,21 +150,25 @@ impl Tries<'_> {
     }
 
     /// Tries more base vertices as long as the best result is too coarse for the shape, and they help.
-    fn grow(&mut self, run: &mut Run) {
-        for &(remedy, ref setting) in &GROWTH {
+    fn grow(&mut self, are_levels_ours: bool, run: &mut Run) {
+        let Some(Verdict::Short { shortcomings }) = self.best.verdict() else { return };
+        let is_poor = shortcomings.iter().any(|s| matches!(s, Shortcoming::MeanShape(_) | Shortcoming::LeastShape(_)));
+        for step in growth(self.input.asked, self.options.levels(), are_levels_ours, is_poor) {
             let Some(before) = self.best.verdict().cloned() else { return };
+            self.options.levels = Some(step.levels);
+            self.budget = self.budget.with_levels(step.levels);
             let may_help =
                 matches!(&before, Verdict::Short { shortcomings } if shortcomings.iter().any(Shortcoming::falls_with_size));
-            if !may_help || !self.budget.bears(setting.base_vertices) {
+            if !may_help || !self.budget.bears(step.times) {
                 return;
             }
-            let start = Instant::now();
-            let made = Proposals::new(self.input, self.options, setting, self.needed, &|_, _| Ok(()), run);
+            let (start, setting, options) = (Instant::now(), step.setting(), self.options.clone());
+            let made = Proposals::new(self.input, &options, &setting, self.needed, &|_, _| Ok(()), run);
             let made = made.and_then(|mut proposals| proposals.next(run));
             let next = match made {
-                Ok(Some(stages)) => self.base(remedy, &stages, start, run),
+                Ok(Some(stages)) => self.base(step.remedy(), &stages, start, run),
                 Ok(None) => return,
-                Err(e) => self.no_base(remedy, e, start, run),
+                Err(e) => self.no_base(step.remedy(), e, start, run),
             };
             if next.is_break() && self.best.verdict() == Some(&before) {
                 return;
@@ -193,10 +200,10 @@ impl Tries<'_> {
         self.needed = self.needed.max(stages.counts.needed);
         self.budget.spend(stages.base.mesh().n_faces());
         let result = match self.options.method {
-            Method::Paper(paper) => paper_finished(self.input, stages, paper, self.options, run),
-            _ => finished(self.input, stages, self.options, run),
+            Method::Paper(paper) => paper_finished(self.input, stages, paper, &self.options, run),
+            _ => finished(self.input, stages, &self.options, run),
         };
-        let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, self.options, remeshed));
+        let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, &self.options, remeshed));
         run.record(remedy, Some(stages.way), verdict.clone(), start);
         match result {
             Ok(remeshed) => self.best.pass(remedy, verdict, remeshed),
@@ -245,7 +252,7 @@ fn verdict(input: &Input, options: &Options, remeshed: &Remeshed) -> Verdict {
     let of_diagonal = remeshed.report.certificate.measures.distance.worse().max;
     let base_edges = of_diagonal * input.cleaned.mesh.diagonal() / input.base_edge_length();
     let loss = Loss { of_diagonal, base_edges };
-    let is_lost = loss.is_a_part(options.levels);
+    let is_lost = loss.is_a_part(options.levels());
     if is_lost { Verdict::Lost { base_edges } } else { Verdict::of(remeshed.report.shortcomings.clone()) }
 }
 
@@ -257,7 +264,7 @@ mod tests {
     /// times as that helps.
     #[test]
     fn what_is_too_coarse_for_its_shape_is_made_finer() {
-        let asked = Options { base_vertices: Some(24), levels: 1, ..Options::default() };
+        let asked = Options { base_vertices: Some(24), levels: Some(1), ..Options::default() };
         let run = &mut Run::new(Watch::default());
         let input = Input::new(&fixtures::torus(1.0, 0.2, 64, 24).to_soup(), &asked, run).unwrap();
         let made = |remeshed: &Remeshed| remeshed.stages.base.base.mesh().n_vertices();

@@ -50,7 +50,7 @@ fn a_base_mesh_from_elsewhere_keeps_its_order() {
     let soup = fixtures::l_block(3).to_soup();
     let first = remesh(&soup, &options(80, 1)).unwrap();
     let base = first.stages.base.base.mesh();
-    let on_it = Options { base_mesh: Some(base.to_soup()), levels: 2, ..Options::default() };
+    let on_it = Options { base_mesh: Some(base.to_soup()), levels: Some(2), ..Options::default() };
     let Remeshed { report, stages, .. } = remesh(&soup, &on_it).unwrap();
     assert_eq!((report.way, report.base.made), (Way::Given, base.n_vertices()));
     assert_eq!(stages.base.base.mesh().faces(), base.faces());

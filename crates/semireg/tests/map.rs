@@ -5,7 +5,7 @@ use mesh_core::{FaceId, Soup, TriMesh, normal};
 use semireg::{FaceOrder, Map, Options, Remeshed, remesh};
 
 fn remeshed(soup: &Soup, base_vertices: usize) -> Remeshed {
-    remesh(soup, &Options { base_vertices: Some(base_vertices), levels: 2, ..Options::default() }).unwrap()
+    remesh(soup, &Options { base_vertices: Some(base_vertices), levels: Some(2), ..Options::default() }).unwrap()
 }
 
 /// Every vertex of the mesh is where the map says, to 1e-12 of the diagonal.

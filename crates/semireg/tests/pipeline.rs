@@ -5,7 +5,7 @@ use mesh_core::{Soup, Topology, TriMesh};
 use semireg::{Error, Method, Options, PaperOptions, Remeshed, Way, Weights, remesh};
 
 fn options(base_vertices: usize, levels: u32) -> Options {
-    Options { base_vertices: Some(base_vertices), levels, ..Options::default() }
+    Options { base_vertices: Some(base_vertices), levels: Some(levels), ..Options::default() }
 }
 
 /// Remeshes, and checks what every result promises.

@@ -66,7 +66,7 @@ pub(super) fn certified(
 }
 
 fn certificate(input: &Reference, mesh: &TriMesh, options: &Options, run: &mut Run) -> Result<Certificate, Error> {
-    run.stage("certify", || certify::certify(input, mesh, options.levels, &Default::default()))
+    run.stage("certify", || certify::certify(input, mesh, options.levels(), &Default::default()))
 }
 
 fn passed(certified: Certified) -> Result<Certified, Error> {
@@ -116,7 +116,7 @@ mod tests {
     /// The fit lifts a triangle onto what faces the other way; the second try leaves that triangle where it was, and fits all others.
     #[test]
     fn triangles_that_the_fit_turns_over_are_held_in_the_next_try() {
-        let options = Options { base_vertices: Some(12), levels: 2, ..Options::default() };
+        let options = Options { base_vertices: Some(12), levels: Some(2), ..Options::default() };
         let mut run = Run::new(Watch::default());
         let candidate = sphere(&options, &mut run);
         let relaxed = &candidate.relaxed.domain;

@@ -39,7 +39,7 @@ pub(super) fn relaxed_levels(input: &Input, stages: &BaseStages, options: &Optio
     let (base, mut proxy) = (&stages.base, stages.proxy.as_deref());
     let mut surface = stages.base_surface();
     let shows_the_shape = |level: &u32| base.mesh().n_faces() << (2 * level) >= FIRST_FACES;
-    let first = (1..options.levels).find(shows_the_shape).unwrap_or(options.levels);
+    let first = (1..options.levels()).find(shows_the_shape).unwrap_or(options.levels());
     let first = run.stage("subdivide", || subdiv::subdivide(base.domain(), first))?;
     let origins = base.mapped().map(|base| Origins { base, points: &first.origins });
     let mut projected = run.stage("project", || project::project(surface, &first.domain, origins, &options.project))?;
@@ -50,8 +50,8 @@ pub(super) fn relaxed_levels(input: &Input, stages: &BaseStages, options: &Optio
     let relax = || relax::relax_keeping(surface, &projected.domain, kept, base_edge_length, &options.relax);
     let mut relaxed = run.stage("relax", relax)?;
     let again = again(&options.relax);
-    for level in first.level..options.levels {
-        if let Some(proxy) = proxy.take_if(|_| level + 1 == options.levels) {
+    for level in first.level..options.levels() {
+        if let Some(proxy) = proxy.take_if(|_| level + 1 == options.levels()) {
             relaxed.domain = run.stage("project", || proxy.carried(&relaxed.domain, &stages.surface))?;
             surface = &stages.surface;
         }

@@ -26,7 +26,7 @@ pub(crate) fn paper_finished(
     options: &Options,
     run: &mut Run,
 ) -> Result<Remeshed, Error> {
-    let subdivided = run.stage("subdivide", || subdiv::subdivide(stages.base.domain(), options.levels))?;
+    let subdivided = run.stage("subdivide", || subdiv::subdivide(stages.base.domain(), options.levels()))?;
     let finest = Finest { input, stages, subdivided: &subdivided, paper, options };
     let (projected, candidate) = finest.as_printed(run)?;
     let candidate = mended(&input.reference, candidate, options, run)?;

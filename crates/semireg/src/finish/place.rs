@@ -27,7 +27,7 @@ pub(super) struct Placed {
 /// Subdivides a base mesh, projects and relaxes its finest level. Fails early where too much of it is folded.
 pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Placed, Error> {
     let BaseStages { surface, base, .. } = stages;
-    let subdivided = run.stage("subdivide", || subdiv::subdivide(base.domain(), options.levels))?;
+    let subdivided = run.stage("subdivide", || subdiv::subdivide(base.domain(), options.levels()))?;
     let Finest { projected, relaxed } = relaxed_levels(input, stages, options, run)?;
     let n_triangles = relaxed.domain.mesh.n_faces();
     NextStage::Mend.is_worth(relaxed.inverted.len(), n_triangles)?;

@@ -110,7 +110,7 @@ mod tests {
     /// What is pulled off the surface in the first result gets base vertices; where a number is asked for it holds.
     #[test]
     fn the_base_mesh_is_refined_where_a_result_misses_the_input() {
-        let asked = Options { base_vertices: Some(24), levels: 2, ..Options::default() };
+        let asked = Options { base_vertices: Some(24), levels: Some(2), ..Options::default() };
         let mut run = Run::new(Watch::default());
         let input = Input::new(&fixtures::cylinder(0.5, 1.5, 96).to_soup(), &asked, &mut run).unwrap();
         let mut proposals = Proposals::new(&input, &asked, &PLAN[0].1, 0, &|_, _| Ok(()), &mut run).unwrap();

@@ -50,7 +50,7 @@ impl Search<'_> {
     /// A result on a base mesh of this size, refined where it is farther away than `max_distance`, a share of the diagonal.
     pub(super) fn made(&mut self, split: Split, max_distance: Option<f64>) -> Result<Remeshed, Error> {
         let Split { base_vertices, levels } = split;
-        let sized = Options { base_vertices: Some(base_vertices), levels, max_distance, ..self.options.clone() };
+        let sized = Options { base_vertices: Some(base_vertices), levels: Some(levels), max_distance, ..self.options.clone() };
         let made = (self.make)(&sized);
         let of_made = made.as_ref().ok();
         let (triangles, error) = (of_made.map(|r| r.mesh.n_faces()), of_made.map(greatest_error));

@@ -57,7 +57,7 @@ mod tests {
     fn triangles_are_where_the_density_is() {
         let ball = fixtures::icosphere(30);
         let density = ball.positions().iter().map(|p| if p.z > 0.0 { 4.0 } else { 1.0 }).collect();
-        let options = Options { base_vertices: Some(300), levels: 1, density: Some(density), ..Options::default() };
+        let options = Options { base_vertices: Some(300), levels: Some(1), density: Some(density), ..Options::default() };
         let share = |options: &Options| share_above(&remesh(&ball.to_soup(), options).unwrap().mesh);
         let shares = [0.3, 10.0].map(|gradation| share(&Options { gradation, ..options.clone() }));
         assert!(shares[0] > 0.62 && shares[1] > shares[0] && (0.68..0.83).contains(&shares[1]), "{shares:?}");

@@ -3,9 +3,9 @@
 use super::density::length_factors;
 use super::given::GivenBase;
 use super::marked::marked_edges;
-use super::size::default_base_vertices;
+use super::size::default_size;
 use crate::run::Run;
-use crate::{Error, Options};
+use crate::{Error, Options, Split};
 use certify::Reference;
 use mesh_core::{Cleaned, FaceId, IdVec, Soup, VertexId, equilateral_edge_length};
 use refine::{RefineOptions, Refined};
@@ -30,6 +30,8 @@ pub(crate) struct Input {
     pub(crate) given: Option<GivenBase>,
     /// Base vertices asked for.
     pub(crate) asked: usize,
+    /// Levels.
+    pub(crate) levels: u32,
 }
 
 /// Edges of the working mesh are at most this share of a base edge.
@@ -46,10 +48,11 @@ impl Input {
         let cleaned = run.stage("clean", || mesh_core::clean_until(soup, &options.clean, &interrupt))?;
         let mut marked = marked_edges(&cleaned, &options.marked_edges)?;
         marked.extend(features::touching_edges(&cleaned.mesh, &cleaned.topology)?);
-        let asked = match (&given, options.base_vertices) {
-            (Some(base), _) => base.mesh.n_vertices(),
-            (None, Some(asked)) => asked,
-            (None, None) => run.stage("features", || default_base_vertices(&cleaned, &marked, options))?,
+        let usual = |base_vertices| Split { base_vertices, levels: options.levels() };
+        let Split { base_vertices: asked, levels } = match (&given, options.base_vertices) {
+            (Some(base), _) => usual(base.mesh.n_vertices()),
+            (None, Some(asked)) => usual(asked),
+            (None, None) => run.stage("features", || default_size(&cleaned, &marked, options))?,
         };
         let base_edge = equilateral_edge_length(cleaned.mesh.total_area(), asked);
         let refine_options = RefineOptions {
@@ -67,7 +70,7 @@ impl Input {
         let working = Surface::new(mesh, topology, network)?.with_interrupt(interrupt.clone());
         let reference = Reference::new(cleaned.mesh.clone())?.with_interrupt(interrupt);
         let (cleaned, source_face) = (Arc::new(cleaned), Arc::new(source_face));
-        Ok(Self { cleaned, reference, working, source_face, marked, length_factors, given, asked })
+        Ok(Self { cleaned, reference, working, source_face, marked, length_factors, given, asked, levels })
     }
 
     /// The mean edge length of the base mesh that was asked for.

@@ -8,13 +8,14 @@ pub const MAX_TRIANGLES: u64 = 50_000_000;
 const MOST_UNASKED: u64 = 500_000;
 /// How many times the vertices asked for a base mesh of such a large result may have: more lets people wait for what they did not ask for.
 const MOST_TIMES: usize = 4;
-/// Once results with this many triangles in all have failed, no other base mesh is tried. Two cores make about 10,000 triangles a second.
-const MOST_FAILED: u64 = 230_000;
-
-/// Base vertices at most of a mesh that is made finer for its shape, where no number is asked for.
-const MOST_GROWN: usize = 4_000;
-/// Triangles of all results of a run at most, with the one that is made finer for its shape: no answer shall take minutes.
-const MOST_ON_SHAPE: u64 = 250_000;
+/// A base face takes as long as so many triangles of the finest level. Measured at one thread: 2.3 ms for a base face of a part (decimation,
+/// patches, search), .25 ms for a triangle of the finest level.
+const OF_A_BASE_FACE: u64 = 9;
+/// Once results that took so much work in all have failed, no other base mesh is tried. In triangles of the finest level, of which a processor
+/// makes about 5,000 in a second.
+const MOST_FAILED: u64 = 300_000;
+/// Work on all results of a run at most, with the one that is made finer for its shape: no answer shall take minutes.
+const MOST_ON_SHAPE: u64 = 450_000;
 
 /// What a candidate may have folded at most to be worth the next stage, as a share of its triangles. Small results may have more, as they
 /// cost little: the bound falls with a power of the number of triangles, without a step.
@@ -51,14 +52,14 @@ impl Bound {
 pub(crate) struct Budget {
     asked: usize,
     levels: u32,
-    /// Triangles of all results so far.
-    triangles: u64,
+    /// What all results took so far, in triangles of the finest level.
+    work: u64,
 }
 
 impl Budget {
     /// The budget of a run that asks for so many base vertices and levels.
     pub(crate) fn new(asked: usize, levels: u32) -> Self {
-        Self { asked, levels, triangles: 0 }
+        Self { asked, levels, work: 0 }
     }
 
     /// Refuses a base mesh whose finest level would be too large.
@@ -73,19 +74,29 @@ impl Budget {
 
     /// Whether so much has been tried that no other base mesh shall be.
     pub(crate) fn is_spent(&self) -> bool {
-        self.triangles > MOST_FAILED
+        self.work > MOST_FAILED
     }
 
     /// Whether a result on so many times the base vertices may be tried for its shape.
     pub(crate) fn bears(&self, times: f64) -> bool {
         let vertices = (times * self.asked as f64) as usize;
         // A closed surface has about two faces for each vertex.
-        vertices <= MOST_GROWN && self.triangles + self.finest(2 * vertices) <= MOST_ON_SHAPE
+        self.work + self.work_on(2 * vertices) <= MOST_ON_SHAPE
+    }
+
+    /// The same with what it has spent, for results of so many levels.
+    pub(crate) fn with_levels(self, levels: u32) -> Self {
+        Self { levels, ..self }
     }
 
     /// Takes what a base mesh of so many faces costs.
     pub(crate) fn spend(&mut self, base_faces: usize) {
-        self.triangles = self.triangles.saturating_add(self.finest(base_faces));
+        self.work = self.work.saturating_add(self.work_on(base_faces));
+    }
+
+    /// The work on a result on so many base faces.
+    fn work_on(&self, base_faces: usize) -> u64 {
+        self.finest(base_faces).saturating_add(OF_A_BASE_FACE * base_faces as u64)
     }
 
     /// Triangles of the finest level on so many base faces.

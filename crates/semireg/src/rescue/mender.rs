@@ -41,7 +41,7 @@ impl<'a> Mender<'a> {
 
     /// The surroundings of some triangles relaxed, as far as so many base edges.
     pub(super) fn relaxed(&self, before: &Candidate, faces: &[FaceId], reach: f64) -> Result<Candidate, Error> {
-        let edges = (reach * f64::from(1 << self.options.levels)).max(1.0) as usize;
+        let edges = (reach * f64::from(1 << self.options.levels())).max(1.0) as usize;
         let relaxed = relax_around(&before.surface, &before.relaxed.domain, faces, edges, &self.options.relax.shape)?;
         let faults = faulty_faces(self.input, &relaxed.domain.mesh);
         Ok(Candidate { relaxed: relaxed.after(before.relaxed.report), faults, ..before.clone() })
@@ -50,7 +50,7 @@ impl<'a> Mender<'a> {
     /// The base mesh bisected under some triangles, and what is around the new vertices relaxed. `None` where it would grow too much, it has
     /// no map, or a new vertex finds no place.
     pub(super) fn refined(&self, before: &Candidate, faces: &[FaceId], choice: EdgeChoice) -> Result<Option<Candidate>, Error> {
-        self.bisected_at(before, &edges_under(before, faces, self.options.levels, choice))
+        self.bisected_at(before, &edges_under(before, faces, self.options.levels(), choice))
     }
 
     /// Some edges of the base mesh bisected, and what is around the new vertices relaxed. `None` as above.

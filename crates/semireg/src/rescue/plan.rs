@@ -16,11 +16,42 @@ pub(crate) const PLAN: [(Remedy, Setting); 5] = [
     (Remedy::MoreVertices(2.5), Setting { base_vertices: 2.5, turn: 1.2, as_needed: true, ..FIRST }),
 ];
 
-/// What is tried where a result has all parts of the input and is too coarse for its shape, as long as that helps.
-pub(crate) const GROWTH: [(Remedy, Setting); 2] = [
-    (Remedy::MoreVertices(2.0), Setting { base_vertices: 2.0, ..FIRST }),
-    (Remedy::MoreVertices(4.0), Setting { base_vertices: 4.0, ..FIRST }),
-];
+/// Base vertices at most of a mesh that is made finer for its shape, by the number of its levels: 1 and less, 2 and more.
+const MOST_GROWN: [usize; 2] = [8_000, 4_000];
+/// How many times the base vertices a mesh with a level less gets: more than the four times that leave the number of triangles.
+const FINER: f64 = 6.0;
+
+/// A result with more base vertices, for its shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Growth {
+    /// Factor on the base vertices that were asked for.
+    pub(crate) times: f64,
+    pub(crate) levels: u32,
+}
+
+impl Growth {
+    pub(crate) fn remedy(self) -> Remedy {
+        Remedy::MoreVertices(self.times)
+    }
+
+    pub(crate) fn setting(self) -> Setting {
+        Setting { base_vertices: self.times, ..FIRST }
+    }
+}
+
+/// What is tried where a result with so many base vertices and levels has all parts of the input and is too coarse for its shape, as long as
+/// that helps. Poor triangles get a base mesh that is finer by a level, where levels are left to us: better ones come of that alone. What is missed
+/// needs a finer result.
+pub(crate) fn growth(asked: usize, levels: u32, are_levels_ours: bool, are_triangles_poor: bool) -> Vec<Growth> {
+    let at_most = |times: f64, levels: u32| {
+        let most = MOST_GROWN[usize::from(levels > 1)] as f64 / asked.max(1) as f64;
+        Some(Growth { times: times.min(most), levels }).filter(|growth| growth.times >= 1.5)
+    };
+    if are_triangles_poor && are_levels_ours && levels > 1 {
+        return at_most(FINER, levels - 1).into_iter().collect();
+    }
+    [2.0, 4.0].into_iter().filter_map(|times| at_most(times, levels)).collect()
+}
 
 /// A result that misses the input by more than this share of a base edge somewhere has lost a part of it. Measured at level 3: good results
 /// miss by .01 (fandisk) to .16 (casting); a camel without one fold of its mouth by .5.
@@ -53,6 +84,24 @@ impl Loss {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// No step asks for more than is allowed, and poor triangles go to the finer base mesh at once.
+    #[test]
+    fn base_meshes_grow_within_bounds() {
+        let times = |asked, levels, ours, poor| -> Vec<(f64, u32)> {
+            growth(asked, levels, ours, poor).into_iter().map(|g| (g.times, g.levels)).collect()
+        };
+        assert_eq!(times(1_000, 2, true, false), [(2.0, 2), (4.0, 2)]);
+        assert_eq!(times(1_000, 2, true, true), [(6.0, 1)]);
+        assert_eq!(times(2_000, 2, true, true), [(4.0, 1)]);
+        assert_eq!(times(1_000, 3, false, false), [(2.0, 3), (4.0, 3)]);
+        assert_eq!(times(6_000, 1, true, false), []);
+        for asked in [1, 900, 2_500, 4_000, 9_000] {
+            for (times, levels) in times(asked, 2, true, false) {
+                assert!(times * asked as f64 <= MOST_GROWN[usize::from(levels > 1)] as f64);
+            }
+        }
+    }
 
     /// The chord of a half circle of one base edge's length around misses it by its radius, a third of a base edge: a part is lost where the
     /// level has edges that could follow it, and not where it has none.

@@ -205,7 +205,7 @@ mod tests {
     /// The wall stands on the floor in the result, too: welded, it has the topology of the input, and nothing cuts anything.
     #[test]
     fn three_sheets_meet_in_one_line() {
-        let options = Options { base_vertices: Some(80), levels: 2, ..Options::default() };
+        let options = Options { base_vertices: Some(80), levels: Some(2), ..Options::default() };
         let measures = remesh(&wall_on_floor(12), &options).unwrap().report.certificate.measures;
         assert_eq!(measures.remeshed_self_intersecting, 0);
         let [result, input] = [measures.remeshed_topology.welded, measures.original_topology.welded];
