@@ -9,13 +9,16 @@ use rustc_hash::FxHashSet;
 /// Where the faces and corners of a mesh are on the triangles of the source's soup.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Correspondence {
-    /// The triangle at the middle of each face.
-    pub middles: Vec<u32>,
+    /// The triangles at the middles of the equal parts of each face, that at its own middle first.
+    pub parts: Vec<[u32; PARTS]>,
     /// The triangle that each corner of each face has its values from.
     pub triangles: Vec<[u32; 3]>,
     /// Barycentric coordinates of the corner in that triangle, of sum 1. Some are negative where the face reaches over a cut or a border.
     pub barycentric: Vec<[[f64; 3]; 3]>,
 }
+
+/// Equal parts of a face by which its share in triangles is measured: those of two subdivisions.
+pub const PARTS: usize = 16;
 
 /// How far corners are pulled towards the middle of their face to find their side of a cut, as a share of the way.
 const PULL: f64 = 0.05;
@@ -38,15 +41,15 @@ pub fn correspond(source: &Source, cuts: &IdVec<EdgeId, bool>, mesh: &TriMesh) -
     let found: Vec<Found> = faces.par_iter().map(|&f| finder.find(mesh, f)).collect();
     let triangle = |f: FaceId| source.cleaned.source_face[f];
     Correspondence {
-        middles: found.iter().map(|found| triangle(found.middle)).collect(),
+        parts: found.iter().map(|found| found.parts.map(triangle)).collect(),
         triangles: found.iter().map(|found| found.corners.map(|(f, _)| triangle(f))).collect(),
         barycentric: found.iter().map(|found| found.corners.map(|(f, w)| source.in_triangle(f, w).to_array())).collect(),
     }
 }
 
-/// Where a face is on the cleaned mesh: the face at its middle, and for each corner a face and weights in it.
+/// Where a face is on the cleaned mesh: the face at the middle of each part, and for each corner a face and weights in it.
 struct Found {
-    middle: FaceId,
+    parts: [FaceId; PARTS],
     corners: [(FaceId, DVec3); 3],
 }
 
@@ -70,7 +73,9 @@ impl Finder<'_> {
             let (face, _) = self.nearest(&near, p);
             (face, self.weights(face, p))
         };
-        Found { middle, corners: corners.map(corner) }
+        let mut parts = middles_of_parts(corners).map(|p| self.nearest(&around, p).0);
+        parts[0] = middle;
+        Found { parts, corners: corners.map(corner) }
     }
 
     /// The face at the middle of a face of this normal and size, and its distance.
@@ -125,6 +130,16 @@ impl Finder<'_> {
         let beyond = barycentric(point, triangle);
         if ends_at_side && beyond.abs().max_element() <= MOST_BEYOND { beyond } else { nearest }
     }
+}
+
+/// The middles of the equal parts of a triangle, its own first.
+fn middles_of_parts([a, b, c]: [DVec3; 3]) -> [DVec3; PARTS] {
+    let quarters = |[a, b, c]: [DVec3; 3]| {
+        let (ab, bc, ca) = (a.midpoint(b), b.midpoint(c), c.midpoint(a));
+        [[bc, ca, ab], [a, ab, ca], [b, bc, ab], [c, ca, bc]]
+    };
+    let mut middles = quarters([a, b, c]).into_iter().flat_map(quarters).map(|[a, b, c]| (a + b + c) / 3.0);
+    std::array::from_fn(|_| middles.next().unwrap_or(a))
 }
 
 impl Source<'_> {

@@ -26,7 +26,7 @@ mod normals;
 mod source;
 mod values;
 
-pub use correspond::{Correspondence, correspond};
+pub use correspond::{Correspondence, PARTS, correspond};
 pub use normals::corner_normals;
 pub use source::Source;
 pub use values::{corner_values, face_values, vertex_labels, vertex_values};

@@ -1,6 +1,6 @@
 //! What corners, vertices and faces have, taken from where they are on the source.
 
-use crate::correspond::Correspondence;
+use crate::correspond::{Correspondence, PARTS};
 use crate::source::interpolate;
 use glam::DVec3;
 use mesh_core::TriMesh;
@@ -53,9 +53,21 @@ pub fn vertex_labels(mesh: &TriMesh, at: &Correspondence, triangles: &[[u32; 3]]
     first_corners(mesh, at, |triangle, weights| labels[triangles[triangle][weights.max_position()] as usize], 0.0)
 }
 
-/// What each face of `mesh` has, of what the triangles of the soup have: that of the triangle at its middle.
-pub fn face_values<T: Copy>(at: &Correspondence, values: &[T]) -> Vec<T> {
-    at.middles.iter().map(|&triangle| values[triangle as usize]).collect()
+/// What each face of `mesh` has, of what the triangles of the soup have: what most of its area lies on. Of several with as much area that at its
+/// middle, or the first.
+pub fn face_values<T: Copy + PartialEq>(at: &Correspondence, values: &[T]) -> Vec<T> {
+    let most = |parts: &[u32; PARTS]| {
+        let of_parts = parts.map(|triangle| values[triangle as usize]);
+        let share = |value: &T| of_parts.iter().filter(|other| *other == value).count();
+        let mut best = of_parts[0];
+        for value in &of_parts[1..] {
+            if share(value) > share(&best) {
+                best = *value;
+            }
+        }
+        best
+    };
+    at.parts.iter().map(most).collect()
 }
 
 /// For each vertex what its corner in the face of lowest number has.

@@ -118,6 +118,23 @@ fn corners_that_no_cut_parts_have_the_same_value() {
     assert!(values.iter().enumerate().all(|(v, values)| values.len() == if v % 31 == 0 { 2 } else { 1 }));
 }
 
+/// A square with a narrow strip of another label across it: a triangle whose middle lies in the strip has the label of what is around.
+#[test]
+fn a_face_has_the_label_of_the_most_of_its_area() {
+    let p = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+    let corners = [0.0, 0.6, 0.7, 1.0].map(|x| [p(x, 0.0), p(x, 1.0)]).concat();
+    let quads = [[0, 2, 3, 1], [2, 4, 5, 3], [4, 6, 7, 5]];
+    let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let soup = Soup { positions: corners, triangles };
+    let cleaned = cleaned(&soup);
+    let source = Source::new(&soup, &cleaned);
+    let mesh = TriMesh::from_slices(&[[0.0, 0.5, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]], &[[0, 1, 2]]).unwrap();
+    let labels = [1, 1, 2, 2, 1, 1];
+    let at = correspond(&source, &source.label_borders(&[0; 6]), &mesh);
+    assert_eq!(labels[at.parts[0][0] as usize], 2);
+    assert_eq!(face_values(&at, &labels), [1]);
+}
+
 #[test]
 fn labels_are_taken_over_and_never_mixed() {
     let soup = fixtures::cube(4).to_soup();

@@ -124,7 +124,7 @@ impl Carried<'_> {
         Labels { names: from.names.clone(), of_face: self.of_faces(&from.of_face) }
     }
 
-    fn of_faces<T: Copy>(&self, values: &[T]) -> Vec<T> {
+    fn of_faces<T: Copy + PartialEq>(&self, values: &[T]) -> Vec<T> {
         if values.is_empty() { Vec::new() } else { face_values(&self.at, values) }
     }
 }
