@@ -50,6 +50,15 @@ impl Creases {
         weak.max_by(|&e, &f| self.angle[e].total_cmp(&self.angle[f]).then(f.cmp(&e)))
     }
 
+    pub(crate) fn is_crease(&self, e: EdgeId) -> bool {
+        self.is_crease[e]
+    }
+
+    /// Takes an edge for a crease on which the surface turns by so many degrees.
+    pub(crate) fn add(&mut self, e: EdgeId, angle: f64) {
+        (self.is_crease[e], self.angle[e]) = (true, angle);
+    }
+
     /// Kinds of all edges: borders and creases.
     pub(crate) fn kinds(&self, topology: &Topology) -> IdVec<EdgeId, Option<ArcKind>> {
         let kind = |e: EdgeId| match (topology.is_border_edge(e), self.is_crease[e]) {

@@ -3,6 +3,7 @@
 use crate::corner::{cone_tips, sharp_turns};
 use crate::crease::Creases;
 use crate::options::{FeatureError, FeatureOptions, check_same_mesh};
+use crate::rounded::rounded_creases;
 use crate::simplify::simplify;
 use crate::touching::Touching;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
@@ -34,7 +35,11 @@ pub fn detect(
         return Err(FeatureError::BaseEdgeLength(base_edge_length));
     }
     check_same_mesh(mesh, topology)?;
-    let creases = Creases::find(mesh, topology, options);
+    let mut creases = Creases::find(mesh, topology, options);
+    if options.rounded_width > 0.0 && options.finds_creases() {
+        let rounded = rounded_creases(mesh, topology, &creases, options.rounded_width, options.strong_angle);
+        rounded.into_iter().for_each(|(e, angle)| creases.add(e, angle));
+    }
     let mut kinds = creases.kinds(topology);
     for e in marked_edges(topology, marked)? {
         if !topology.is_border_edge(e) {

@@ -24,6 +24,7 @@ mod crease;
 mod detect;
 mod jump;
 mod options;
+mod rounded;
 mod simplify;
 mod touching;
 

@@ -15,11 +15,14 @@ pub struct FeatureOptions {
     /// Factor on the persistence (length times strength) below which creases are left out as minor, not negative; infinite leaves out
     /// every crease that may be left out. Default 1.
     pub persistence: f64,
+    /// A strip of weak edges, as of a small fillet, is a crease, too, where the surface turns by `strong_angle` within this width, in the units of
+    /// the mesh, not negative, finite. Default 0, for none.
+    pub rounded_width: f64,
 }
 
 impl Default for FeatureOptions {
     fn default() -> Self {
-        Self { strong_angle: 40.0, weak_angle: 25.0, persistence: 1.0 }
+        Self { strong_angle: 40.0, weak_angle: 25.0, persistence: 1.0, rounded_width: 0.0 }
     }
 }
 
@@ -29,12 +32,15 @@ impl FeatureOptions {
 
     /// Checks the ranges: `0 < weak_angle <= strong_angle <= 180` and `0 <= persistence`.
     pub fn check(&self) -> Result<(), FeatureError> {
-        let Self { strong_angle: strong, weak_angle: weak, persistence } = *self;
+        let Self { strong_angle: strong, weak_angle: weak, persistence, rounded_width } = *self;
         if !(weak > 0.0 && weak <= strong && strong <= Self::NO_CREASES) {
             return Err(FeatureError::Angles { strong, weak });
         }
         if persistence.is_nan() || persistence < 0.0 {
             return Err(FeatureError::Persistence(persistence));
+        }
+        if !(rounded_width.is_finite() && rounded_width >= 0.0) {
+            return Err(FeatureError::RoundedWidth(rounded_width));
         }
         Ok(())
     }
@@ -66,6 +72,9 @@ pub enum FeatureError {
     /// The factor on the persistence is negative or not a number.
     #[error("the factor {0} on the persistence of creases must not be negative")]
     Persistence(f64),
+    /// The width of rounded creases is negative or not a number.
+    #[error("the width {0} of rounded creases must be finite and not negative")]
+    RoundedWidth(f64),
     /// The base edge length is negative or not a number.
     #[error("base edge length {0} must be finite and not negative")]
     BaseEdgeLength(f64),

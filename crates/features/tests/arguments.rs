@@ -32,10 +32,11 @@ proptest! {
         base_edge_length in odd(),
         angles in prop_oneof![Just([40.0, 25.0]), [odd(), odd()]],
         persistence in odd(),
+        rounded_width in odd(),
     ) {
         let mesh = shape(which, unit);
         let marked: Vec<_> = marked.iter().map(|e| e.map(VertexId)).collect();
-        let options = FeatureOptions { strong_angle: angles[0], weak_angle: angles[1], persistence };
+        let options = FeatureOptions { strong_angle: angles[0], weak_angle: angles[1], persistence, rounded_width };
         if let Ok(network) = detect(&mesh, &topology(&mesh), &marked, base_edge_length, &options) {
             // It is a network of this mesh.
             prop_assert!(region_map::Surface::new(mesh.clone(), topology(&mesh), network).is_ok());

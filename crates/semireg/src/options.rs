@@ -56,6 +56,13 @@ impl Options {
         self.levels.unwrap_or(USUAL_LEVELS)
     }
 
+    /// What counts as a feature on a base mesh with edges of this length: strips that are narrower than the edges of the finest level are rounded
+    /// creases.
+    pub(crate) fn feature_options(&self, base_edge_length: f64) -> features::FeatureOptions {
+        let rounded_width = base_edge_length * 0.5f64.powi(self.levels() as i32);
+        features::FeatureOptions { rounded_width, ..self.features.clone() }
+    }
+
     /// The distance that is accepted where edges have this mean length; all in the units of the input.
     pub(crate) fn accepted_distance(&self, diagonal: f64, mean_edge: f64) -> f64 {
         self.max_distance.map_or_else(|| certify::accepted_distance(diagonal, mean_edge), |share| share * diagonal)

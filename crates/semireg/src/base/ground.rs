@@ -173,7 +173,7 @@ fn detected(input: &Input, options: &Options, setting: &Setting, wanted: usize, 
     let (mesh, topology) = (input.working.mesh(), input.working.topology());
     let base_edge_length = equilateral_edge_length(mesh.total_area(), wanted);
     let persistence = options.features.persistence * setting.persistence;
-    let feature_options = features::FeatureOptions { persistence, ..options.features.clone() };
+    let feature_options = features::FeatureOptions { persistence, ..options.feature_options(base_edge_length) };
     let network =
         run.stage("features", || features::detect(mesh, topology, &input.marked, base_edge_length, &feature_options))?;
     Ok(input.working.with_network(network)?)

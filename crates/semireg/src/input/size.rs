@@ -35,7 +35,7 @@ pub(super) fn default_size(cleaned: &Cleaned, marked: &[[VertexId; 2]], options:
     let Cleaned { mesh, topology, .. } = cleaned;
     let demand = |base_vertices: usize| {
         let base_edge_length = equilateral_edge_length(mesh.total_area(), base_vertices);
-        let network = features::detect(mesh, topology, marked, base_edge_length, &options.features)?;
+        let network = features::detect(mesh, topology, marked, base_edge_length, &options.feature_options(base_edge_length))?;
         let strips = SHARE_OF_STRIPS * on_strips(mesh, topology, &network, NARROW * base_edge_length);
         Ok::<_, Error>(Demand { needed: network.least_base(topology).vertices, strips: strips as usize })
     };
