@@ -21,9 +21,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [file, base_vertices, levels] = args.as_slice() else { return Err("IN.obj BASE_VERTICES LEVELS are needed".into()) };
     let soup = mesh_io::read(Path::new(file))?.soup;
-    let options = Options { base_vertices: Some(base_vertices.parse()?), levels: Some(levels).parse()?, ..Options::default() };
+    let options = Options { base_vertices: Some(base_vertices.parse()?), levels: Some(levels.parse()?), ..Options::default() };
     let remeshed = remesh(&soup, &options)?;
-    let study = Study::new(&remeshed.stages, options.levels)?;
+    let study = Study::new(&remeshed.stages, remeshed.report.certificate.levels)?;
     let projected = study.placements()?;
     study.quadric_parts(&projected)?;
     study.relaxations(&projected)?;

@@ -14,7 +14,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let remeshed = remesh(&soup, &options)?;
     let base = &remeshed.report.base;
     println!("base vertices: asked {}, made {}", base.asked, base.made);
-    println!("{} vertices, {} faces at level {}", remeshed.mesh.n_vertices(), remeshed.mesh.n_faces(), options.levels);
+    println!(
+        "{} vertices, {} faces at level {}",
+        remeshed.mesh.n_vertices(),
+        remeshed.mesh.n_faces(),
+        remeshed.report.certificate.levels
+    );
     for time in &remeshed.report.seconds.0 {
         println!("{:10} {:6.2} s", time.stage, time.seconds);
     }

@@ -5,7 +5,7 @@ use semireg::{Error, Options, Progress, Remedy, Remeshed, Verdict, Way, remesh, 
 use std::ops::ControlFlow;
 
 fn options(base_vertices: usize, levels: u32) -> Options {
-    Options { base_vertices: Some(base_vertices), levels, ..Options::default() }
+    Options { base_vertices: Some(base_vertices), levels: Some(levels), ..Options::default() }
 }
 
 /// Far too few base vertices for a noisy scan: with some numbers a few triangles stay folded, and come free where they are.

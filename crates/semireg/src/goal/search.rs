@@ -1,40 +1,11 @@
-//! [`Search`]: results of different sizes, until one is as it was asked for.
+//! [`Search`]: results of different sizes, and what came of each.
 
-use super::sized::{Measure, Wanted};
-use super::split::{Extent, Split};
-use super::target::{Goal, Target};
+use super::split::{Extent, SizeTry, Split};
 use crate::remeshed::Remeshed;
 use crate::{Error, Options};
-use mesh_core::Cleaned;
 
 /// Makes a result with some options.
 pub(crate) type Make<'a> = dyn FnMut(&Options) -> Result<Remeshed, Error> + 'a;
-
-/// A result that was made for the sake of its size, or was to be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SizeTry {
-    /// What it was made on.
-    pub split: Split,
-    /// Its triangles; `None` where it was not certified.
-    pub triangles: Option<usize>,
-    /// The greatest distance between it and the input, either way, as a share of the input's diagonal.
-    pub error: Option<f64>,
-}
-
-/// Makes results with options of different sizes, until one is as the goal asks. `cleaned` is what all are made of.
-pub(crate) fn reached(cleaned: &Cleaned, goal: &Goal, options: &Options, make: &mut Make) -> Result<Remeshed, Error> {
-    goal.target.check()?;
-    let mut search = Search { extent: Extent::of(cleaned), levels: goal.levels, options, make, tries: Vec::new() };
-    let mut remeshed = match goal.target {
-        Target::Vertices(n) => search.sized(&Wanted { measure: Measure::Vertices, amount: n as f64 }),
-        Target::Triangles(n) => search.sized(&Wanted { measure: Measure::Triangles, amount: n as f64 }),
-        Target::EdgeLength(length) => search.sized(&Wanted { measure: Measure::EdgeLength, amount: length }),
-        Target::MaxError(share) => search.within(share),
-        Target::MaxErrorLength(length) => search.within(length / cleaned.mesh.diagonal()),
-    }?;
-    remeshed.report.sizes = search.tries;
-    Ok(remeshed)
-}
 
 /// A search for the right size under way.
 pub(super) struct Search<'a> {
@@ -46,7 +17,16 @@ pub(super) struct Search<'a> {
     tries: Vec<SizeTry>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    pub(super) fn new(extent: Extent, levels: Option<u32>, options: &'a Options, make: &'a mut Make<'a>) -> Self {
+        Self { extent, levels, options, make, tries: Vec::new() }
+    }
+
+    /// What was tried.
+    pub(super) fn end(self) -> Vec<SizeTry> {
+        self.tries
+    }
+
     /// A result on a base mesh of this size, refined where it is farther away than `max_distance`, a share of the diagonal.
     pub(super) fn made(&mut self, split: Split, max_distance: Option<f64>) -> Result<Remeshed, Error> {
         let Split { base_vertices, levels } = split;

@@ -1,4 +1,4 @@
-//! [`Split`]: a number of base vertices, and how often their faces are split.
+//! [`Split`]: a number of base vertices, and how often their faces are split; and what came of one.
 
 use mesh_core::Cleaned;
 
@@ -16,6 +16,17 @@ pub struct Split {
     pub base_vertices: usize,
     /// How often every base face is split in four.
     pub levels: u32,
+}
+
+/// A result that was made for the sake of its size, or was to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SizeTry {
+    /// What it was made on.
+    pub split: Split,
+    /// Its triangles; `None` where it was not certified.
+    pub triangles: Option<usize>,
+    /// The greatest distance between it and the input, either way, as a share of the input's diagonal.
+    pub error: Option<f64>,
 }
 
 /// What the counts of a mesh of even triangles over a surface follow from.

@@ -23,9 +23,10 @@ const MOST: usize = 2_000;
 /// Where the shape takes more than that, the base mesh is split once only, and has so many vertices: the result has no more triangles, and better
 /// ones. Measured: the mean quality of a screw is .59 with 2,000 vertices split twice, .84 with 8,000 split once.
 const FINE: [usize; 2] = [4_000, 8_000];
-/// Even where that is more, corners and curves get this factor more vertices than they need, up to the last number. Measured: the mean quality of
-/// a sponge of 7,900 is .69 with 8,300 and .85 with 12,000.
+/// Even where that is more, corners and curves get this factor more vertices than they need. Measured: the mean quality of a sponge of 7,900 is
+/// .69 with 8,300 and .85 with 12,000.
 const SPARE: f64 = 1.5;
+/// Corners and curves get so many vertices at most without being asked for: more takes minutes.
 const MOST_NEEDED: usize = 12_000;
 
 /// The size for a cleaned input: what corners and curves need, three times, and at least 1,000 base vertices; for dense scans 1.6 % of
