@@ -11,7 +11,7 @@ use crate::stream_args::{InputStreamArgs, StreamArgs, formats};
 use crate::talk::Talk;
 use clap::{Parser, Subcommand};
 use mesh_io::Format;
-use semireg::{FaceOrder, Method, PaperOptions};
+use semireg::{FaceOrder, Method, PaperOptions, USUAL_LEVELS};
 use std::path::PathBuf;
 
 /// Semi-regular remeshing of triangle meshes: few base triangles, split 1-to-4 again and again, with the creases kept.
@@ -301,7 +301,7 @@ pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) stream: InputStreamArgs,
     /// Subdivision levels that it shall have
-    #[arg(long, value_name = "L", default_value_t = 2, value_parser = levels, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L", default_value_t = USUAL_LEVELS, value_parser = levels, allow_negative_numbers = true)]
     pub(crate) levels: u32,
     /// Triangles without area are told, but no fault: for a base mesh, which is judged by its connectivity
     #[arg(long)]

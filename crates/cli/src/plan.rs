@@ -10,7 +10,7 @@ use crate::talk::Talk;
 use crate::{load, overwrite, stages};
 use anyhow::Context as _;
 use features::FeatureOptions;
-use semireg::{Goal, MAX_TRIANGLES, Method, Options};
+use semireg::{Goal, MAX_TRIANGLES, Method, Options, USUAL_LEVELS};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -53,6 +53,10 @@ impl RemeshPlan {
         let (input, output) = args.streams.ends(&args.source.input, &args.output)?;
         let pictures = args.stages.as_deref().map(|folder| stages::files(folder, true)).unwrap_or_default();
         let goal = args.result.goal.goal(args.result.levels);
+        if goal.is_none() && args.outputs.level.is_some() {
+            // Who asks for a level counts on the usual ones.
+            options.levels = options.levels.or(Some(USUAL_LEVELS));
+        }
         let levels = goal.map_or(options.levels, |goal| goal.levels);
         let outputs = Outputs::new(&args.outputs, &output, levels, args.source.making.seed)?;
         let files = outputs.files();

@@ -48,7 +48,7 @@ pub struct Options {
 }
 
 /// Levels where nothing asks for others.
-pub(crate) const USUAL_LEVELS: u32 = 2;
+pub const USUAL_LEVELS: u32 = 2;
 
 impl Options {
     /// How often every base face is split in four.
