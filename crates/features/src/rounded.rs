@@ -16,7 +16,7 @@ const ALONG: f64 = 0.85;
 /// Cosine of the angle by which a row turns from edge to edge at most.
 const GOES_ON: f64 = 0.7;
 /// A rounded crease is as long as so many widths at least.
-const LEAST_LENGTH: f64 = 4.0;
+const LEAST_LENGTH: f64 = 8.0;
 
 /// An edge about which the surface turns within the width.
 struct Candidate {
