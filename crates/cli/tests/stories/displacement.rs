@@ -35,7 +35,7 @@ fn a_result_comes_back_from_its_displacement() {
         let displacement = &report["displacement"];
         let said = number(&displacement["error_without_residual"]["max"]);
         let rough = off(&story, "out.obj", "rough.obj");
-        assert!((rough - said).abs() < 1e-9 && said < 0.1, "{input}: {rough}, said {said}");
+        assert!((rough - said).abs() < 1e-9 && said < 0.25, "{input}: {rough}, said {said}");
         assert!(number(&displacement["error_with_residual"]["max"]) < 1e-12, "{input}");
         assert_eq!(displacement["levels"].as_array().map(Vec::len), Some(3));
         let written: serde_json::Value = serde_json::from_slice(&story.bytes("d/displacement.json")).unwrap();
