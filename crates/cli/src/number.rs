@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 /// Subdivision levels.
 pub(crate) fn levels(text: &str) -> Result<u32, String> {
-    whole(text, 0..=8).map(|n| n as u32)
+    whole(text, 0..=semireg::MAX_LEVELS.into()).map(|n| n as u32)
 }
 
 /// A number of base vertices.

@@ -5,11 +5,8 @@ use crate::displacement_folder;
 use crate::failure::{Failure, Kind};
 use crate::stream::Target;
 use mesh_io::Format;
-use semireg::FaceOrder;
+use semireg::{FaceOrder, MAX_LEVELS};
 use std::path::{Path, PathBuf};
-
-/// A result has so many levels at most.
-const MOST_LEVELS: u32 = 8;
 
 /// What is written of a result.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +52,7 @@ impl Outputs {
         let Some(last) = seed.checked_add(u64::from(args.variants.unwrap_or(1)) - 1) else {
             return usage(format!("there are not so many seeds from {seed} on; give a smaller --seed"));
         };
-        let finest = levels.unwrap_or(MOST_LEVELS);
+        let finest = levels.unwrap_or(MAX_LEVELS);
         let results = (seed..=last).map(|seed| ResultFiles::new(args, output, finest, seed)).collect();
         let (order, displacement_bits) = (args.order.into(), args.displacement_bits);
         Ok(Self { level: args.level, all_levels: args.all_levels, order, displacement_bits, results })

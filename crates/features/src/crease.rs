@@ -1,6 +1,7 @@
 //! Creases by dihedral angle with hysteresis.
 
 use crate::options::FeatureOptions;
+use glam::DVec3;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
 use region_map::{ArcKind, spokes};
 
@@ -39,10 +40,7 @@ impl Creases {
         if topology.is_border_vertex(v) {
             return None;
         }
-        let away = |e: EdgeId| {
-            let [a, b] = topology.ends(e);
-            (mesh.position(if a == v { b } else { a }) - mesh.position(v)).normalize_or_zero()
-        };
+        let away = |e: EdgeId| away(mesh, topology, e, v);
         let goes_on = |e: EdgeId| away(e).dot(-away(end)) > MAX_TURN_COSINE;
         let weak = spokes(topology, v)
             .map(|h| topology.edge(h))
@@ -68,6 +66,12 @@ impl Creases {
         };
         topology.edge_ids().map(kind).collect()
     }
+}
+
+/// Unit vector along an edge, away from one of its ends.
+pub(crate) fn away(mesh: &TriMesh, topology: &Topology, e: EdgeId, v: VertexId) -> DVec3 {
+    let [a, b] = topology.ends(e);
+    (mesh.position(if a == v { b } else { a }) - mesh.position(v)).normalize_or_zero()
 }
 
 fn dihedral_angles(mesh: &TriMesh, topology: &Topology) -> IdVec<EdgeId, f64> {

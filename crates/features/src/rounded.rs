@@ -3,7 +3,7 @@
 //! None of these edges is sharp by itself, but a result whose edges are longer than the strip is wide has a crease there, ragged where nothing
 //! says where it runs. So one row of edges along the strip is taken for the crease.
 
-use crate::crease::Creases;
+use crate::crease::{Creases, away};
 use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, TriMesh, VertexId, walk};
 use region_map::spokes;
@@ -20,7 +20,6 @@ const LEAST_LENGTH: f64 = 8.0;
 
 /// An edge about which the surface turns within the width.
 struct Candidate {
-    edge: EdgeId,
     /// By how many degrees the surface turns there, less what it turns by beside it.
     turn: f64,
     /// The edges beside it, within half the width.
@@ -37,17 +36,12 @@ pub(crate) fn rounded_creases(
     angle: f64,
 ) -> Vec<(EdgeId, f64)> {
     let finder = Finder { mesh, topology, creases, width };
-    let found = topology.edge_ids().filter_map(|e| finder.candidate(e)).filter(|candidate| candidate.turn >= angle);
-    let mut at: IdVec<EdgeId, Option<Candidate>> = topology.edge_ids().map(|_| None).collect();
-    found.for_each(|candidate| {
-        let edge = candidate.edge;
-        at[edge] = Some(candidate);
-    });
-    let mut rows = finder.rows(&at);
+    let candidate = |e| finder.candidate(e).filter(|candidate| candidate.turn >= angle);
+    let at: IdVec<EdgeId, Option<Candidate>> = topology.edge_ids().map(candidate).collect();
     let strength = |row: &Vec<EdgeId>| -> f64 {
         row.iter().map(|&e| finder.length(e) * at[e].as_ref().map_or(0.0, |candidate| candidate.turn)).sum()
     };
-    let mut ranked: Vec<(f64, Vec<EdgeId>)> = rows.drain(..).map(|row| (strength(&row), row)).collect();
+    let mut ranked: Vec<(f64, Vec<EdgeId>)> = finder.rows(&at).into_iter().map(|row| (strength(&row), row)).collect();
     ranked.sort_by(|(s, row), (t, other)| t.total_cmp(s).then(row.iter().min().cmp(&other.iter().min())));
     let mut is_taken: IdVec<EdgeId, bool> = IdVec::filled(false, topology.n_edges());
     let mut taken = Vec::new();
@@ -100,7 +94,7 @@ impl Finder<'_> {
             return None;
         }
         let turn = (m.angle_between(n) - m.angle_between(m_far) - n.angle_between(n_far)).to_degrees();
-        Some(Candidate { edge: e, turn, beside: beside.into_inner() })
+        Some(Candidate { turn, beside: beside.into_inner() })
     }
 
     /// Normals half a width and a whole width beside a halfedge, on the side of its face. `None` where the surface ends or has a crease
@@ -169,9 +163,9 @@ impl Finder<'_> {
     ) -> Vec<EdgeId> {
         let (mut edge, mut v, mut row) = (first, end, Vec::new());
         loop {
-            let way = self.away(edge, v);
+            let way = away(self.mesh, self.topology, edge, v);
             let next = spokes(self.topology, v).map(|h| self.topology.edge(h)).filter(|&e| at[e].is_some() && e != edge);
-            let turned = |e: &EdgeId| -self.away(*e, v).dot(way);
+            let turned = |e: &EdgeId| -away(self.mesh, self.topology, *e, v).dot(way);
             let Some(next) = next.filter(|e| turned(e) >= GOES_ON).max_by(|e, f| turned(e).total_cmp(&turned(f)).then(f.cmp(e)))
             else {
                 return row;
@@ -183,13 +177,6 @@ impl Finder<'_> {
             (edge, v) = (next, if a == v { b } else { a });
             row.push(next);
         }
-    }
-
-    /// Unit vector along an edge, away from one of its ends.
-    fn away(&self, e: EdgeId, v: VertexId) -> DVec3 {
-        let [a, b] = self.topology.ends(e);
-        let other = if a == v { b } else { a };
-        (self.mesh.position(other) - self.mesh.position(v)).normalize_or_zero()
     }
 }
 

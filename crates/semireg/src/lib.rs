@@ -36,7 +36,7 @@ pub use correspondence::{CorrespondenceError, FaceOrder, Levels, Map, Prolongati
 pub use error::Error;
 pub use fit::FitReport;
 pub use goal::{Goal, SizeTry, Split, Target};
-pub use options::{Options, USUAL_LEVELS};
+pub use options::{MAX_LEVELS, Options, USUAL_LEVELS};
 pub use progress::{OnProgress, Progress};
 pub use relax::Weights;
 pub use remesh::{base, base_with, remesh, remesh_to, remesh_with};

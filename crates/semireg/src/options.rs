@@ -8,7 +8,7 @@ use mesh_core::{CleanOptions, Soup};
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Wanted number of base vertices. `None` takes three times what corners and curves need, at least 1,000 and at least 1.6 % of the cleaned
-    /// input's vertices, at most 2,000.
+    /// input's vertices, at most 2,000; where `levels` is `None`, too, and the shape takes more, up to 12,000, split once.
     pub base_vertices: Option<usize>,
     /// The distance between result and input that is accepted, as a share of the diagonal of the input's box: where it is greater, the base mesh
     /// gets more vertices, also where their number was asked for. `None`, the default, accepts .0025 or a quarter of a finest edge, and keeps
@@ -50,6 +50,9 @@ pub struct Options {
 /// Strips that are narrower than this share of an edge of the finest level are rounded creases. Measured: with 1, fillets that the finest level can
 /// follow have a crease in their middle, and the errors of casting and conrod are greater by a quarter.
 const ROUNDED: f64 = 0.5;
+
+/// Levels at most.
+pub const MAX_LEVELS: u32 = 8;
 
 /// Levels where nothing asks for others.
 pub const USUAL_LEVELS: u32 = 2;

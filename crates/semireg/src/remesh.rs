@@ -95,9 +95,9 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let budget = Budget::new(input.asked, input.levels);
     let sized = Options { levels: Some(input.levels), ..options.clone() };
-    let mut tries = Tries { input, options: sized, budget, needed: 0, best: Best::new() };
+    let mut tries = Tries { input, options: &sized, budget, needed: 0, best: Best::new() };
     let start = Instant::now();
-    match only_base(input, &tries.options, run) {
+    match only_base(input, &sized, run) {
         Some(made) => drop(tries.only(made, start, run)),
         None => {
             let _ = PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run));
@@ -115,7 +115,7 @@ fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remes
 struct Tries<'a> {
     input: &'a Input,
     /// With the number of levels.
-    options: Options,
+    options: &'a Options,
     budget: Budget,
     /// Base vertices that corners and arcs took so far at most.
     needed: usize,
@@ -128,8 +128,7 @@ impl Tries<'_> {
         let budget = self.budget;
         let admits = |vertices, faces| budget.admits(vertices, faces);
         let mut start = Instant::now();
-        let options = self.options.clone();
-        let mut proposals = match Proposals::new(self.input, &options, setting, self.needed, &admits, run) {
+        let mut proposals = match Proposals::new(self.input, self.options, setting, self.needed, &admits, run) {
             Ok(proposals) => proposals,
             Err(e) => return self.no_base(remedy, e, start, run),
         };
@@ -138,7 +137,7 @@ impl Tries<'_> {
                 return ControlFlow::Break(());
             }
             match proposals.next(run) {
-                Ok(Some(stages)) => self.base(remedy, &stages, start, run)?,
+                Ok(Some(stages)) => self.base(self.options, remedy, &stages, start, run)?,
                 Ok(None) => break,
                 // Where one way led to a base mesh other settings may help.
                 Err(e) if remedy == Remedy::OtherBase => drop(self.no_base(remedy, e, start, run)),
@@ -155,18 +154,18 @@ impl Tries<'_> {
         let is_poor = shortcomings.iter().any(|s| matches!(s, Shortcoming::MeanShape(_) | Shortcoming::LeastShape(_)));
         for step in growth(self.input.asked, self.options.levels(), are_levels_ours, is_poor) {
             let Some(before) = self.best.verdict().cloned() else { return };
-            self.options.levels = Some(step.levels);
             self.budget = self.budget.with_levels(step.levels);
             let may_help =
                 matches!(&before, Verdict::Short { shortcomings } if shortcomings.iter().any(Shortcoming::falls_with_size));
             if !may_help || !self.budget.bears(step.times) {
                 return;
             }
-            let (start, setting, options) = (Instant::now(), step.setting(), self.options.clone());
+            let (start, setting) = (Instant::now(), step.setting());
+            let options = Options { levels: Some(step.levels), ..self.options.clone() };
             let made = Proposals::new(self.input, &options, &setting, self.needed, &|_, _| Ok(()), run);
             let made = made.and_then(|mut proposals| proposals.next(run));
             let next = match made {
-                Ok(Some(stages)) => self.base(step.remedy(), &stages, start, run),
+                Ok(Some(stages)) => self.base(&options, step.remedy(), &stages, start, run),
                 Ok(None) => return,
                 Err(e) => self.no_base(step.remedy(), e, start, run),
             };
@@ -184,7 +183,7 @@ impl Tries<'_> {
             Ok(stages)
         });
         match admitted {
-            Ok(stages) => self.base(Remedy::AsAsked, &stages, start, run),
+            Ok(stages) => self.base(self.options, Remedy::AsAsked, &stages, start, run),
             Err(e) => self.no_base(Remedy::AsAsked, e, start, run),
         }
     }
@@ -196,14 +195,14 @@ impl Tries<'_> {
     }
 
     /// Tries a base mesh. Breaks where nothing more shall be tried.
-    fn base(&mut self, remedy: Remedy, stages: &BaseStages, start: Instant, run: &mut Run) -> ControlFlow<()> {
+    fn base(&mut self, options: &Options, remedy: Remedy, stages: &BaseStages, start: Instant, run: &mut Run) -> ControlFlow<()> {
         self.needed = self.needed.max(stages.counts.needed);
         self.budget.spend(stages.base.mesh().n_faces());
-        let result = match self.options.method {
-            Method::Paper(paper) => paper_finished(self.input, stages, paper, &self.options, run),
-            _ => finished(self.input, stages, &self.options, run),
+        let result = match options.method {
+            Method::Paper(paper) => paper_finished(self.input, stages, paper, options, run),
+            _ => finished(self.input, stages, options, run),
         };
-        let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, &self.options, remeshed));
+        let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, options, remeshed));
         run.record(remedy, Some(stages.way), verdict.clone(), start);
         match result {
             Ok(remeshed) => self.best.pass(remedy, verdict, remeshed),

@@ -1,11 +1,10 @@
 //! [`Split`]: a number of base vertices, and how often their faces are split; and what came of one.
 
+use crate::options::MAX_LEVELS;
 use mesh_core::Cleaned;
 
 /// The base meshes of results whose levels are left to us have about so many vertices: fewer lose the shape of parts, more take long to find.
 const USUAL_BASE: f64 = 1_000.0;
-/// Levels at most.
-const MOST_LEVELS: u32 = 8;
 /// The smallest base mesh that a closed surface can have.
 const LEAST_BASE: f64 = 4.0;
 
@@ -76,7 +75,7 @@ impl Extent {
     pub(super) fn levels(&self, triangles: f64) -> u32 {
         let base = |levels: u32| self.vertices(triangles / 4f64.powi(levels as i32));
         let off = |levels: u32| (base(levels).max(f64::MIN_POSITIVE) / USUAL_BASE).ln().abs();
-        let sound = (1..=MOST_LEVELS).filter(|&levels| base(levels) >= LEAST_BASE);
+        let sound = (1..=MAX_LEVELS).filter(|&levels| base(levels) >= LEAST_BASE);
         sound.min_by(|&k, &l| off(k).total_cmp(&off(l))).unwrap_or(0)
     }
 }
