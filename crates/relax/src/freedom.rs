@@ -1,8 +1,9 @@
 //! What the vertices of a domain are free to do.
 
 use crate::RelaxError;
-use mesh_core::{TriMesh, VertexId};
-use region_map::{Arc, ArcId, Attachment, Domain, Surface};
+use crate::longest_gaps::LongestGaps;
+use mesh_core::VertexId;
+use region_map::{ArcId, Attachment, Domain, Surface};
 
 /// What a vertex is free to do.
 #[derive(Clone, Copy, Debug)]
@@ -41,18 +42,6 @@ pub struct ArcNeighbour {
     pub shift: f64,
 }
 
-/// Gaps between neighbours on an arc get longer than at the start by at most this factor. More lets shapes get better, and lets
-/// arcs be cut short by long edges.
-const STRETCH: f64 = 3.0;
-/// But no gap grows so long that the arc turns by more than this within it, in degrees, unless [`LEAST_STRETCH`] allows it: more
-/// gives better shapes, less keeps nearer to curved arcs. Measured: without this rule, rims of holes lost up to a third of their
-/// circle to one edge (Brun_joint missed the input by 27e-3 of the diagonal at a mean AR of .889, with it by 3.4e-3 at .887).
-/// With 30 degrees camelhead has .004 more of mean AR, casting .973 to .975 of its creases instead of .980.
-const MOST_TURN: f64 = 45.0;
-/// Every gap may grow by this factor, however much the arc turns there: with less, vertices on tight curves hardly move.
-const LEAST_STRETCH: f64 = 1.5;
-/// The turn is measured over so many gaps on both sides: over more of them noise counts less, and curves farther away count, too.
-const WINDOW: f64 = 2.0;
 /// Gaps get no shorter than this share of the longer one at the start, so that they don't shrink again with each relaxation: less
 /// lets vertices come together, more holds them apart where shapes would be better. Measured: on pyvi_footbones some went down to
 /// 1e-13 of the diagonal; with .01 casting loses .002 of its creases.
@@ -60,11 +49,11 @@ const SHRINK: f64 = 0.001;
 
 impl Freedom {
     /// What vertex `v` of a checked domain may do. Fails where it has no two neighbours on its arc, or sits outside of its sheet.
-    pub(crate) fn new(surface: &Surface, domain: &Domain, v: VertexId) -> Result<Self, RelaxError> {
+    pub(crate) fn new(surface: &Surface, domain: &Domain, longest_gaps: &LongestGaps, v: VertexId) -> Result<Self, RelaxError> {
         let region = &domain.region;
         match region.attachments[v] {
             Attachment::Corner(_) => Ok(Self::Fixed),
-            Attachment::Arc { arc, t } => Ok(Self::Arc(OnArc::new(surface, domain, v, (arc, t))?)),
+            Attachment::Arc { arc, t } => Ok(Self::Arc(OnArc::new(surface, domain, longest_gaps, v, (arc, t))?)),
             Attachment::Sheet(sheet) if surface.network().sheet_of_face.get(region.points[v].face) == Some(&sheet) => {
                 Ok(Self::Sheet)
             }
@@ -75,7 +64,13 @@ impl Freedom {
 
 impl OnArc {
     /// The neighbours of `v`, at this arc length, on its arc.
-    fn new(surface: &Surface, domain: &Domain, v: VertexId, (arc, t): (ArcId, f64)) -> Result<Self, RelaxError> {
+    fn new(
+        surface: &Surface,
+        domain: &Domain,
+        longest_gaps: &LongestGaps,
+        v: VertexId,
+        (arc, t): (ArcId, f64),
+    ) -> Result<Self, RelaxError> {
         let region = &domain.region;
         let mut ends: Vec<(f64, ArcNeighbour)> = Vec::new();
         for vertex in domain.topology.one_ring(v) {
@@ -89,7 +84,7 @@ impl OnArc {
             }
         }
         let longest = ends.iter().map(|end| end.0.abs()).fold(0.0, f64::max);
-        let longest_gap = longest * stretch(surface.mesh(), &surface.network().arcs[arc], t, longest);
+        let longest_gap = longest_gaps.about(surface, (arc, t), longest);
         let shortest_gap = SHRINK * longest;
         match ends[..] {
             [(a, behind), (b, ahead)] | [(b, ahead), (a, behind)] if a <= 0.0 && b >= 0.0 && a < b => {
@@ -100,39 +95,11 @@ impl OnArc {
     }
 }
 
-/// The factor by which a gap on an arc may grow about arc length `t`: the more the arc turns there, the less.
-fn stretch(mesh: &TriMesh, arc: &Arc, t: f64, gap: f64) -> f64 {
-    let window = if arc.is_loop() { (WINDOW * gap).min(0.5 * arc.length()) } else { WINDOW * gap };
-    let [behind, here, ahead] = [t - window, t, t + window].map(|t| arc.position(mesh, t));
-    // On a circle the angle between two chords is that which either spans. Zigzags don't count.
-    let turn = (here - behind).angle_between(ahead - here);
-    // Next to the end of an arc one chord has no length.
-    let turn_of_gap = if turn > 0.0 { turn * gap / window } else { 0.0 };
-    (MOST_TURN.to_radians() / turn_of_gap).clamp(LEAST_STRETCH, STRETCH)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use glam::DVec3;
     use region_map::ArcSpan;
-
-    /// On the rim of a cylinder a gap grows to 45 degrees, or by a half; on its other arcs, which are straight, to three times
-    /// itself.
-    #[test]
-    fn gaps_on_a_circle_grow_less_than_on_a_line() {
-        let stretches = |mesh: TriMesh, gap: f64| {
-            let surface = Surface::with_creases(mesh, 40.0).unwrap();
-            let arcs = surface.network().arcs.iter();
-            arcs.map(|arc| stretch(surface.mesh(), arc, 0.5 * arc.length(), gap)).collect::<Vec<f64>>()
-        };
-        let cylinder = fixtures::cylinder(1.0, 1.0, 360);
-        for (degrees, expected) in [(5.0f64, 3.0), (15.0, 3.0), (20.0, 2.25), (60.0, 1.5), (120.0, 1.5)] {
-            let found = stretches(cylinder.clone(), degrees.to_radians());
-            assert!(found.len() == 2 && found.iter().all(|s| (s - expected).abs() < 0.02), "{degrees}: {found:?}");
-        }
-        assert!(stretches(fixtures::cuboid(DVec3::ONE, 4), 0.1).into_iter().all(|s| s == STRETCH));
-    }
 
     /// A vertex that has come next to its neighbour is kept from it as if it were half-way: it comes no nearer when relaxed
     /// again.
@@ -157,7 +124,7 @@ mod tests {
         }
         let Attachment::Arc { t: near, .. } = region.attachments[v] else { unreachable!() };
         assert!(near > t + 0.2);
-        let on_arc = OnArc::new(&surface, &domain, v, (arc, near)).unwrap();
+        let on_arc = OnArc::new(&surface, &domain, &LongestGaps::new(&surface, &domain), v, (arc, near)).unwrap();
         assert!((on_arc.shortest_gap - SHRINK * 0.5).abs() < 1e-5, "{}", on_arc.shortest_gap);
     }
 }

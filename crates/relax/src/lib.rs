@@ -32,6 +32,7 @@ mod error;
 mod freedom;
 mod in_space;
 mod keeping;
+mod longest_gaps;
 mod measured;
 mod mend;
 mod movable_domain;

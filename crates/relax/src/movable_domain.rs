@@ -3,6 +3,7 @@
 use crate::RelaxError;
 use crate::corner_normal::{CornerNormal, corner_normals, reference_normal};
 use crate::freedom::Freedom;
+use crate::longest_gaps::LongestGaps;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id, IdVec, Topology, VertexId};
 use rayon::prelude::*;
@@ -35,8 +36,9 @@ impl<'a> MovableDomain<'a> {
     pub(crate) fn new(surface: &'a Surface, domain: &Domain) -> Result<Self, RelaxError> {
         domain.check(surface.network())?;
         let topology = domain.topology.clone();
+        let longest_gaps = LongestGaps::new(surface, domain);
         let freedoms: Vec<Freedom> =
-            domain.region.vertices().map(|v| Freedom::new(surface, domain, v)).collect::<Result<_, _>>()?;
+            domain.region.vertices().map(|v| Freedom::new(surface, domain, &longest_gaps, v)).collect::<Result<_, _>>()?;
         let freedoms = IdVec::from_vec(freedoms);
         let normals = corner_normals(surface, domain, &freedoms);
         let mean_edge = (surface.mesh().total_area() / topology.n_faces().max(1) as f64 * 4.0 / 3f64.sqrt()).sqrt();
