@@ -2,7 +2,7 @@
 
 use super::decimation::decimation;
 use super::patches::{Patches, Style, patches};
-use super::search::{Searched, retraced, searched};
+use super::search::{Rated, retraced, searched};
 use super::setting::Setting;
 use super::stages::{Base, BaseCounts, BaseStages};
 use super::way::Way;
@@ -11,7 +11,7 @@ use crate::run::Run;
 use crate::{Error, Options};
 use mesh_core::equilateral_edge_length;
 use proxy::{Proxy, ProxyOptions};
-use region_map::{BaseMesh, Sizing, Surface};
+use region_map::{Sizing, Surface};
 use sizing::SizingOptions;
 use std::sync::Arc;
 
@@ -41,13 +41,10 @@ pub(super) struct Ground<'a> {
     admits: &'a Admits<'a>,
 }
 
-/// A base mesh, and what it promises.
-pub(super) struct Rated {
-    pub(super) rating: f64,
-    /// The mean quality (AR) of its first subdivision, relaxed.
-    pub(super) quality: f64,
+/// A base mesh that was made on a ground.
+pub(super) struct Made {
+    pub(super) rated: Rated,
     way: Way,
-    base: BaseMesh,
     /// What the paper's way made, on that way.
     pub(super) patches: Option<Arc<Patches>>,
     /// What went wrong on the way to it.
@@ -84,35 +81,38 @@ impl<'a> Ground<'a> {
         self.proxy.as_ref().map_or(&self.surface, |proxy| &proxy.surface)
     }
 
-    /// The base mesh of a way.
-    pub(super) fn rated(&self, way: Way, run: &mut Run) -> Result<Rated, Error> {
-        if way == Way::Decimation {
-            let base = decimation(self.base_surface(), &self.sizing, self.wanted, self.options.seed, run)?;
-            return self.searched(way, base, run);
-        }
-        let patches = patches(self.base_surface(), &self.sizing, self.wanted, &Style::improved(), self.options.seed, run)?;
-        let rated = self.searched(way, patches.base.clone(), run)?;
-        Ok(Rated { patches: Some(Arc::new(patches)), ..rated })
-    }
-
-    /// A base mesh with a map of its own, after the search for better connectivity, and its rating.
-    fn searched(&self, way: Way, base: BaseMesh, run: &mut Run) -> Result<Rated, Error> {
+    /// The base mesh of a way, with a map of its own.
+    pub(super) fn made(&self, way: Way, run: &mut Run) -> Result<Made, Error> {
+        let (surface, seed) = (self.base_surface(), self.options.seed);
+        let (base, patches) = if way == Way::Decimation {
+            (decimation(surface, &self.sizing, self.wanted, seed, run)?, None)
+        } else {
+            let patches = patches(surface, &self.sizing, self.wanted, &Style::improved(), seed, run)?;
+            (patches.base.clone(), Some(Arc::new(patches)))
+        };
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
-        let (base, mut faults) = run.stage("retrace", || Ok::<_, Error>(retraced(self.base_surface(), base)))?;
-        let search = || searched(self.base_surface(), &self.sizing, base, self.input.asked, self.options);
-        let Searched { rating, quality, base, faults: of_search } = run.stage("search", search)?;
-        faults.extend(of_search);
-        Ok(Rated { rating, quality, way, base, patches: None, faults })
+        let (base, faults) = run.stage("retrace", || Ok::<_, Error>(retraced(surface, base)))?;
+        let rated = run.stage("search", || Rated::new(surface, base, self.input.asked, self.options))?;
+        Ok(Made { rated, way, patches, faults })
     }
 
-    /// What led to a base mesh, `patches` of the other way included, and which ways led to none.
-    pub(super) fn stages(&self, rated: Rated, patches: Option<Arc<Patches>>, failures: &[(Way, Error)]) -> BaseStages {
-        let Rated { way, base, patches: own, faults, .. } = rated;
+    /// A base mesh after the search for better connectivity, with what led to it: `patches` of the other way included, and which ways led to none.
+    pub(super) fn searched(
+        &self,
+        made: Made,
+        patches: Option<Arc<Patches>>,
+        failures: &[(Way, Error)],
+        run: &mut Run,
+    ) -> Result<BaseStages, Error> {
+        let Made { rated, way, patches: own, mut faults } = made;
+        let search = || Ok::<_, Error>(searched(self.base_surface(), &self.sizing, rated, self.input.asked, self.options));
+        let (base, of_search) = run.stage("search", search)?;
+        faults.extend(of_search);
         let split = own.and_then(|p| p.split_warning());
         // Not a fault: this base mesh is small enough.
         let failed = failures.iter().filter(|(_, error)| !matches!(error, Error::TooLarge { .. }));
         let failed = failed.map(|(way, e)| format!("there is no base mesh by {}: {}", way.name(), e.with_request()));
-        BaseStages {
+        Ok(BaseStages {
             cleaned: self.input.cleaned.clone(),
             surface: self.surface.clone(),
             proxy: self.proxy.clone(),
@@ -121,7 +121,7 @@ impl<'a> Ground<'a> {
             base: Arc::new(Base::Mapped(base)),
             warnings: split.into_iter().chain(faults).chain(failed).collect(),
             patches,
-        }
+        })
     }
 
     /// So many vertices were made.

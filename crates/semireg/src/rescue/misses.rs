@@ -8,7 +8,7 @@ use crate::candidate::Candidate;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::{Reference, SharpEdges, mean_edge};
-use mesh_core::{FaceId, TriMesh};
+use mesh_core::FaceId;
 use std::time::Instant;
 
 /// Distances are kept below this share of what is accepted: the measure of a result takes other points than these.
@@ -35,14 +35,15 @@ pub(crate) fn followed(
     }
     let mut best = finish(start.clone(), run)?;
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
-    let (n_faults, mut now) = (best.n_faults(), start);
+    let mut now = start;
     let sharp = options.features.finds_creases().then(|| SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh)));
     let missed = |candidate: &Candidate| {
         let mesh = &candidate.relaxed.domain.mesh;
-        missed(input, sharp.as_ref(), mesh, MARGIN * options.accepted_distance(input.diagonal(), mean_edge(mesh)))
+        let accepted = MARGIN * options.accepted_distance(input.diagonal(), mean_edge(mesh));
+        missed(input, sharp.as_ref(), candidate, accepted)
     };
     let mut last = missed(&best);
-    let mut least = last.badness();
+    let (mut least, most_faults) = (last.badness(), last.n_faults);
     for _ in 0..ROUNDS {
         if last.faces.is_empty() {
             break;
@@ -55,7 +56,7 @@ pub(crate) fn followed(
         let missed = missed(&finished);
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
-        if finished.n_faults() > n_faults || !helps {
+        if missed.n_faults > most_faults || !helps {
             break;
         }
         if missed.badness() < least {
@@ -68,6 +69,8 @@ pub(crate) fn followed(
 
 /// Where a result misses the input, or a sharp edge of it, or cuts itself where the input does not.
 struct Misses {
+    /// How many of its triangles the certificate would refuse.
+    n_faults: usize,
     /// The triangles there, in rising order.
     faces: Vec<FaceId>,
     /// The greatest distance over the one that is accepted, 0 where none is greater.
@@ -75,19 +78,20 @@ struct Misses {
 }
 
 impl Misses {
-    /// The less the better: distance first, then how much of the sharp edges is missing.
-    fn badness(&self) -> (f64, usize) {
-        (self.greatest, self.faces.len())
+    /// The less the better: what would be refused first, then distance, then how much of the sharp edges is missing.
+    fn badness(&self) -> (usize, f64, usize) {
+        (self.n_faults, self.greatest, self.faces.len())
     }
 }
 
 /// Where a result is farther from the input than what is accepted, a length.
-fn missed(input: &Reference, sharp: Option<&SharpEdges>, mesh: &TriMesh, accepted: f64) -> Misses {
+fn missed(input: &Reference, sharp: Option<&SharpEdges>, candidate: &Candidate, accepted: f64) -> Misses {
+    let mesh = &candidate.relaxed.domain.mesh;
     let far = certify::missed(input, mesh, accepted);
     // On an input that cuts itself the result must do so, too, in triangles of its own.
     let cuts = if input.self_intersecting().is_empty() { certify::self_intersecting(mesh) } else { Vec::new() };
     let mut faces = [far.faces, sharp.map(|sharp| sharp.missed(mesh)).unwrap_or_default(), cuts].concat();
     faces.sort_unstable();
     faces.dedup();
-    Misses { faces, greatest: far.greatest / accepted }
+    Misses { n_faults: candidate.n_faults(), faces, greatest: far.greatest / accepted }
 }
