@@ -5,6 +5,7 @@ use crate::distance::{DEFAULT_SAMPLES, Distance, Stats, one_way};
 use crate::error::{MeasureError, NoSurface};
 use crate::faults::flipped;
 use crate::intersections;
+use crate::own_cuts::away_from_own;
 use crate::quality::{self, Quality};
 use crate::reference::Reference;
 use crate::sampling;
@@ -47,6 +48,8 @@ pub struct Measures {
     pub original_self_intersecting: usize,
     /// Faces of the remeshed mesh that intersect others.
     pub remeshed_self_intersecting: usize,
+    /// Those of them that are away from where the original cuts itself ([`crate::new_cuts`]).
+    pub new_self_intersecting: usize,
     /// Counts of the original.
     pub original_topology: Topologies,
     /// Counts of the remeshed mesh.
@@ -74,7 +77,9 @@ pub fn measure(original: &Reference, remeshed: &TriMesh, options: &MeasureOption
     original.go_on()?;
     let original_self_intersecting = original.self_intersecting().len();
     original.go_on()?;
-    let remeshed_self_intersecting = intersections::among(remeshed, &welded, &index).len();
+    let remeshed_self_intersecting = intersections::among(remeshed, &welded, &index);
+    original.go_on()?;
+    let new_self_intersecting = away_from_own(original, remeshed, &remeshed_self_intersecting).len();
     original.go_on()?;
     Ok(Measures {
         quality: quality::with_welded(remeshed, &welded),
@@ -83,7 +88,8 @@ pub fn measure(original: &Reference, remeshed: &TriMesh, options: &MeasureOption
         border,
         flipped,
         original_self_intersecting,
-        remeshed_self_intersecting,
+        remeshed_self_intersecting: remeshed_self_intersecting.len(),
+        new_self_intersecting,
         original_topology: original.topologies(),
         remeshed_topology: Topologies::of(remeshed, &welded),
     })

@@ -4,6 +4,7 @@ use crate::creases;
 use crate::distance::DEFAULT_SAMPLES;
 use crate::error::{MeasureError, NoSurface};
 use crate::intersections;
+use crate::own_cuts;
 use crate::sampling;
 use crate::topology::Topologies;
 use crate::weld::Welded;
@@ -25,6 +26,7 @@ pub struct Reference {
     interrupt: Interrupt,
     topologies: OnceLock<Topologies>,
     self_intersecting: OnceLock<Vec<FaceId>>,
+    own_cuts: OnceLock<SurfaceIndex>,
     samples: OnceLock<Vec<DVec3>>,
     on_creases: OnceLock<Vec<DVec3>>,
     on_border: OnceLock<Vec<DVec3>>,
@@ -43,6 +45,7 @@ impl Reference {
             interrupt: Interrupt::default(),
             topologies: OnceLock::new(),
             self_intersecting: OnceLock::new(),
+            own_cuts: OnceLock::new(),
             samples: OnceLock::new(),
             on_creases: OnceLock::new(),
             on_border: OnceLock::new(),
@@ -82,6 +85,12 @@ impl Reference {
     /// The faces of the mesh that intersect others, in rising order (see [`crate::self_intersecting`]).
     pub fn self_intersecting(&self) -> &[FaceId] {
         self.self_intersecting.get_or_init(|| intersections::among(&self.mesh, &self.welded, &self.index))
+    }
+
+    /// Closest points on small pieces of the mesh where it cuts itself.
+    pub(crate) fn own_cuts(&self) -> &SurfaceIndex {
+        let pieces = || own_cuts::pieces(&self.mesh, self.self_intersecting(), self.diagonal);
+        self.own_cuts.get_or_init(|| SurfaceIndex::new(&pieces()))
     }
 
     /// Every position of the mesh once.

@@ -40,13 +40,8 @@ pub enum Shortcoming {
     MeanShape(f64),
     /// One in a hundred triangles has a lower quality (AR).
     LeastShape(f64),
-    /// More triangles cut others than in the original.
-    Cuts {
-        /// In this mesh.
-        remeshed: usize,
-        /// In the original.
-        original: usize,
-    },
+    /// So many triangles cut others away from where the original cuts itself.
+    Cuts(usize),
 }
 
 impl Shortcoming {
@@ -54,20 +49,15 @@ impl Shortcoming {
     pub fn all(measures: &Measures, sharp: Option<SharpCover>, accepted: f64) -> Vec<Self> {
         let greatest = measures.distance.worse().max;
         let quality = &measures.quality;
-        let [remeshed, original] = [measures.remeshed_self_intersecting, measures.original_self_intersecting];
+        let cuts = measures.new_self_intersecting;
         let found = [
             (greatest > accepted).then_some(Self::Distance { greatest, accepted }),
             sharp.map(|cover| cover.share).filter(|share| *share < ACCEPTED_SHARP_COVER).map(Self::SharpEdges),
             (quality.ar_mean < ACCEPTED_MEAN_SHAPE).then_some(Self::MeanShape(quality.ar_mean)),
             (quality.ar_p01 < ACCEPTED_LEAST_SHAPE).then_some(Self::LeastShape(quality.ar_p01)),
-            (remeshed > original).then_some(Self::Cuts { remeshed, original }),
+            (cuts > 0).then_some(Self::Cuts(cuts)),
         ];
         found.into_iter().flatten().collect()
-    }
-
-    /// Whether a finer mesh may be better in it. Where the original cuts itself, finer triangles do so, too, and there are more of them.
-    pub fn falls_with_size(&self) -> bool {
-        !matches!(self, Self::Cuts { original, .. } if *original > 0)
     }
 
     /// How bad it is, above 0: about 1 where it is seen at the second look.
@@ -77,7 +67,7 @@ impl Shortcoming {
             Self::SharpEdges(share) => (ACCEPTED_SHARP_COVER - share) / 0.1,
             Self::MeanShape(mean) => (ACCEPTED_MEAN_SHAPE - mean) / 0.2,
             Self::LeastShape(least) => (ACCEPTED_LEAST_SHAPE - least) / 0.2,
-            Self::Cuts { remeshed, original } => (remeshed as f64 / original.max(1) as f64).ln_1p(),
+            Self::Cuts(cuts) => (cuts as f64).ln_1p(),
         }
     }
 }
@@ -89,7 +79,7 @@ impl Display for Shortcoming {
             Self::SharpEdges(share) => write!(f, "{:.1} % of the sharp edges are missing", 100.0 * (1.0 - share)),
             Self::MeanShape(mean) => write!(f, "its triangles have a mean quality of {mean:.2}"),
             Self::LeastShape(least) => write!(f, "one triangle in a hundred has a quality below {least:.2}"),
-            Self::Cuts { remeshed, original } => write!(f, "{remeshed} triangles cut others, {original} in the original"),
+            Self::Cuts(cuts) => write!(f, "{cuts} triangles cut others where the original does not"),
         }
     }
 }
@@ -127,10 +117,8 @@ mod tests {
             [Shortcoming::SharpEdges(0.97), Shortcoming::SharpEdges(0.5)],
             [Shortcoming::MeanShape(0.79), Shortcoming::MeanShape(0.6)],
             [Shortcoming::LeastShape(0.29), Shortcoming::LeastShape(0.1)],
-            [Shortcoming::Cuts { remeshed: 1, original: 0 }, Shortcoming::Cuts { remeshed: 90, original: 0 }],
+            [Shortcoming::Cuts(1), Shortcoming::Cuts(90)],
         ];
-        assert!(pairs.iter().flatten().all(Shortcoming::falls_with_size));
-        assert!(!Shortcoming::Cuts { remeshed: 9, original: 3 }.falls_with_size());
         assert!(pairs.iter().all(|[slight, grave]| 0.0 < slight.severity() && slight.severity() < grave.severity()));
     }
 }

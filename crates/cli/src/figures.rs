@@ -160,6 +160,8 @@ pub(crate) struct Figures {
     border_distance: Option<Spread>,
     flipped: Option<usize>,
     self_intersecting: usize,
+    /// Away from where the original cuts itself.
+    self_intersecting_new: usize,
     self_intersecting_original: usize,
     topology: Counts,
     topology_original: Counts,
@@ -189,6 +191,7 @@ impl Figures {
             border_distance: m.border.map(Spread::from),
             flipped: m.flipped.as_ref().map(Vec::len),
             self_intersecting: m.remeshed_self_intersecting,
+            self_intersecting_new: m.new_self_intersecting,
             self_intersecting_original: m.original_self_intersecting,
             topology: topology.into(),
             topology_original: topology_original.into(),
@@ -214,10 +217,10 @@ impl Figures {
             format!("{}: {few}{:.1} % of their length kept", Verdict::of_sharp_edges(kept), 100.0 * kept.share)
         };
         table.row("sharp edges", self.sharp.map_or("none that stand out".to_owned(), words));
-        let (result, original) = (self.self_intersecting, self.self_intersecting_original);
-        let cuts =
-            || format!("{}: {result} triangles cut others, {original} in the original", Verdict::of_cuts(result, original));
-        table.row_if("cuts", (result > 0).then(cuts));
+        let (cuts, new) = (self.self_intersecting, self.self_intersecting_new);
+        let words =
+            || format!("{}: {cuts} triangles cut others, {new} of them where the original does not", Verdict::of_cuts(cuts, new));
+        table.row_if("cuts", (cuts > 0).then(words));
     }
 
     /// Appends the lines that matter of a base mesh: its edges are chords, so its distance says nothing of what is kept.
@@ -254,8 +257,11 @@ impl Figures {
         let flipped =
             self.flipped.map_or("unknown, the original is not consistently oriented".to_owned(), |n| format!("{n} triangles"));
         table.row("flipped", flipped);
-        let (mine, theirs) = (self.self_intersecting, self.self_intersecting_original);
-        table.row("intersecting", format!("{mine} triangles, {theirs} in the original"));
+        let Self { self_intersecting, self_intersecting_new: new, self_intersecting_original: original, .. } = self;
+        table.row(
+            "intersecting",
+            format!("{self_intersecting} triangles, {new} where the original does not, {original} in the original"),
+        );
     }
 }
 

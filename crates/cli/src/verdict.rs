@@ -50,9 +50,9 @@ impl Verdict {
         Self::by(kept.share >= ACCEPTED_SHARP_COVER, kept.share >= 0.9 || kept.are_few())
     }
 
-    /// Of triangles that cut others, in the result and in the original.
-    pub(crate) fn of_cuts(result: usize, original: usize) -> Self {
-        Self::by(result == 0, result <= original)
+    /// Of triangles that cut others, and those of them that do where the original does not.
+    pub(crate) fn of_cuts(all: usize, new: usize) -> Self {
+        Self::by(all == 0, new == 0)
     }
 }
 
@@ -66,7 +66,10 @@ mod tests {
         assert!(rising.clone().map(|x| Verdict::of_shape(x, x)).is_sorted());
         assert!(rising.clone().map(|share| Verdict::of_sharp_edges(SharpCover { share, length: 5.0 })).is_sorted());
         assert!(rising.map(|x| Verdict::of_distance(1.0 - x, 0.01)).is_sorted());
-        assert_eq!([0, 3, 9].map(|n| Verdict::of_cuts(n, 3)), [Verdict::Good, Verdict::Fair, Verdict::Poor]);
+        assert_eq!(
+            [[0, 0], [9, 0], [9, 3]].map(|[all, new]| Verdict::of_cuts(all, new)),
+            [Verdict::Good, Verdict::Fair, Verdict::Poor]
+        );
         assert_eq!(Verdict::of_shape(0.95, 0.05), Verdict::Poor);
     }
 }

@@ -155,9 +155,7 @@ impl Tries<'_> {
         for step in growth(self.input.asked, self.options.levels(), are_levels_ours, is_poor) {
             let Some(before) = self.best.verdict().cloned() else { return };
             self.budget = self.budget.with_levels(step.levels);
-            let may_help =
-                matches!(&before, Verdict::Short { shortcomings } if shortcomings.iter().any(Shortcoming::falls_with_size));
-            if !may_help || !self.budget.bears(step.times) {
+            if !matches!(before, Verdict::Short { .. }) || !self.budget.bears(step.times) {
                 return;
             }
             let (start, setting) = (Instant::now(), step.setting());

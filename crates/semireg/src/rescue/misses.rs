@@ -88,9 +88,8 @@ impl Misses {
 fn missed(input: &Reference, sharp: Option<&SharpEdges>, candidate: &Candidate, accepted: f64) -> Misses {
     let mesh = &candidate.relaxed.domain.mesh;
     let far = certify::missed(input, mesh, accepted);
-    // On an input that cuts itself the result must do so, too, in triangles of its own.
-    let cuts = if input.self_intersecting().is_empty() { certify::self_intersecting(mesh) } else { Vec::new() };
-    let mut faces = [far.faces, sharp.map(|sharp| sharp.missed(mesh)).unwrap_or_default(), cuts].concat();
+    let mut faces =
+        [far.faces, sharp.map(|sharp| sharp.missed(mesh)).unwrap_or_default(), certify::new_cuts(input, mesh)].concat();
     faces.sort_unstable();
     faces.dedup();
     Misses { n_faults: candidate.n_faults(), faces, greatest: far.greatest / accepted }

@@ -1,0 +1,176 @@
+//! Where does a mesh cut itself, and where does a remeshed one that did not before?
+//!
+//! A remeshed surface cuts itself wherever its original does, in triangles of its own: their number says nothing. What is new are cuts away from
+//! the curves along which the original cuts itself. Those curves are found in small pieces: of the faces that intersect others, long edges are
+//! halved, the pieces that still intersect others are kept, and so on.
+
+use crate::intersections::self_intersecting;
+use crate::reference::Reference;
+use mesh_core::{FaceId, IdVec, TriMesh, VertexId};
+use rustc_hash::FxHashMap;
+
+/// The pieces have edges of this share of the diagonal at most. Less tells cuts nearer to those of the original from them, and takes longer.
+const SIZE: f64 = 2.5e-3;
+/// Edges are halved so often at most: then all are shorter.
+const ROUNDS: usize = 10;
+
+/// The faces of a remeshed surface that intersect others where the original does not cut itself, in rising order: farther from there than their
+/// own longest edge and [`SIZE`] twice, for the size of the pieces and for how far the surfaces are apart.
+pub fn new_cuts(original: &Reference, remeshed: &TriMesh) -> Vec<FaceId> {
+    away_from_own(original, remeshed, &self_intersecting(remeshed))
+}
+
+/// The same of the faces of a remeshed surface that intersect others.
+pub(crate) fn away_from_own(original: &Reference, remeshed: &TriMesh, cutting: &[FaceId]) -> Vec<FaceId> {
+    if cutting.is_empty() || original.self_intersecting().is_empty() {
+        return cutting.to_vec();
+    }
+    let own = original.own_cuts();
+    let reach = |f: FaceId| {
+        let [a, b, c] = remeshed.triangle(f);
+        a.distance(b).max(b.distance(c)).max(c.distance(a)) + 2.0 * SIZE * original.diagonal()
+    };
+    let is_new = |f: &FaceId| own.closest_within(remeshed.centroid(*f), reach(*f)).is_none();
+    cutting.iter().copied().filter(is_new).collect()
+}
+
+/// Small pieces of a mesh along the curves where it cuts itself. `cutting` are its faces that intersect others.
+pub(crate) fn pieces(mesh: &TriMesh, cutting: &[FaceId], diagonal: f64) -> TriMesh {
+    let mut pieces =
+        Pieces { positions: mesh.positions().clone(), faces: cutting.iter().map(|&f| mesh.face(f)).collect(), done: Vec::new() };
+    for _ in 0..ROUNDS {
+        if !pieces.halve(SIZE * diagonal) {
+            break;
+        }
+    }
+    pieces.faces.append(&mut pieces.done);
+    pieces.mesh()
+}
+
+struct Pieces {
+    positions: IdVec<VertexId, glam::DVec3>,
+    /// They intersect others.
+    faces: Vec<[VertexId; 3]>,
+    /// No part of them does, once they were halved: they touched others, and rounding has parted them.
+    done: Vec<[VertexId; 3]>,
+}
+
+impl Pieces {
+    fn mesh(&self) -> TriMesh {
+        let faces = self.faces.iter().map(|f| f.map(|v| v.0)).collect();
+        TriMesh::new(self.positions.iter().copied().collect(), faces)
+            .expect("corners are distinct, and middles of checked positions")
+    }
+
+    /// Halves all edges above a length, and keeps what still intersects others. False where no edge is that long.
+    fn halve(&mut self, longest: f64) -> bool {
+        let mut middles = FxHashMap::default();
+        let mut parts = Vec::new();
+        for (parent, &[a, b, c]) in self.faces.iter().enumerate() {
+            let [ab, bc, ca] = [[a, b], [b, c], [c, a]].map(|edge| middle(&mut self.positions, &mut middles, edge, longest));
+            parts.extend(split([a, b, c], [ab, bc, ca]).into_iter().map(|part| (parent, part)));
+        }
+        if middles.is_empty() {
+            return false;
+        }
+        let parents = std::mem::replace(&mut self.faces, parts.iter().map(|(_, part)| *part).collect());
+        let meeting = self_intersecting(&self.mesh());
+        let mut is_left = vec![false; parents.len()];
+        self.faces = meeting.iter().map(|f| parts[f.0 as usize]).map(|(parent, part)| (is_left[parent] = true, part).1).collect();
+        self.done.extend(parents.into_iter().zip(is_left).filter(|(_, is_left)| !is_left).map(|(face, _)| face));
+        true
+    }
+}
+
+/// The middle of an edge above a length, the same one from both sides.
+fn middle(
+    positions: &mut IdVec<VertexId, glam::DVec3>,
+    middles: &mut FxHashMap<[VertexId; 2], VertexId>,
+    [a, b]: [VertexId; 2],
+    longest: f64,
+) -> Option<VertexId> {
+    let (a, b) = (a.min(b), a.max(b));
+    let ends = [positions[a], positions[b]];
+    if ends[0].distance(ends[1]) <= longest {
+        return None;
+    }
+    Some(*middles.entry([a, b]).or_insert_with(|| positions.push(ends[0].midpoint(ends[1]))))
+}
+
+/// A triangle cut at the middles of its edges, where they have one.
+fn split([a, b, c]: [VertexId; 3], middles: [Option<VertexId>; 3]) -> Vec<[VertexId; 3]> {
+    match middles {
+        [None, None, None] => vec![[a, b, c]],
+        [Some(ab), None, None] => vec![[a, ab, c], [ab, b, c]],
+        [Some(ab), Some(bc), None] => vec![[ab, b, bc], [a, ab, bc], [a, bc, c]],
+        [Some(ab), Some(bc), Some(ca)] => vec![[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]],
+        // The others are these, turned.
+        [ab, bc, ca] => split([b, c, a], [bc, ca, ab]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_shapes::{cube, joined, moved, sphere, square, subdivide};
+    use glam::DVec3;
+
+    /// Two cubes, one of them shifted by a half along all axes.
+    fn crossing() -> TriMesh {
+        joined(&cube(), &moved(&cube(), |p| p + DVec3::new(0.5, 0.6, 0.7)))
+    }
+
+    /// However a triangle is split, its parts have its area and its orientation.
+    #[test]
+    fn parts_cover_their_triangle() {
+        let corners = [DVec3::ZERO, DVec3::new(3.0, 0.0, 0.0), DVec3::new(1.0, 2.0, 0.0)];
+        let mut positions: IdVec<VertexId, DVec3> = corners.into_iter().collect();
+        let ids = [0, 1, 2].map(VertexId);
+        let middles = [0, 1, 2].map(|i| positions.push(corners[i].midpoint(corners[(i + 1) % 3])));
+        for cut in 0..8 {
+            let parts = split(ids, [0, 1, 2].map(|i| (cut >> i & 1 == 1).then_some(middles[i])));
+            assert_eq!(parts.len(), 1 + (cut as u32).count_ones() as usize);
+            let areas: Vec<f64> = parts.iter().map(|p| mesh_core::vector_area(p.map(|v| positions[v])).z).collect();
+            assert!(areas.iter().all(|area| *area > 0.0) && (areas.iter().sum::<f64>() - 3.0).abs() < 1e-12);
+        }
+    }
+
+    /// The pieces are small, and lie where the cubes cut each other: on the surface of both.
+    #[test]
+    fn pieces_follow_the_curve() {
+        let both = crossing();
+        let found = pieces(&both, &self_intersecting(&both), 0.05 / SIZE);
+        assert!(found.n_faces() > 50);
+        let on = |p: DVec3, low: DVec3| (p - low).min_element().min((low + 1.0 - p).min_element()).abs();
+        for f in found.faces().ids() {
+            assert!(found.triangle(f).iter().all(|p| p.distance(found.centroid(f)) < 0.05));
+            let p = found.centroid(f);
+            assert!(on(p, DVec3::ZERO) < 0.06 && on(p, DVec3::new(0.5, 0.6, 0.7)) < 0.06, "{p}");
+        }
+    }
+
+    /// Split finer, the cubes cut each other in more triangles, none of which is new; where a third body enters a side, all are.
+    #[test]
+    fn only_cuts_elsewhere_are_new() {
+        let original = Reference::new(crossing()).unwrap();
+        let fine = subdivide(&subdivide(&crossing()));
+        assert!(self_intersecting(&fine).len() > original.self_intersecting().len());
+        assert_eq!(new_cuts(&original, &fine), []);
+        let ball = moved(&sphere(1), |p| 0.02 * p + DVec3::new(0.2, 0.2, 0.0));
+        let new = new_cuts(&original, &joined(&subdivide(&subdivide(&fine)), &ball));
+        assert!(!new.is_empty() && new.len() < 80);
+        let whole = Reference::new(cube()).unwrap();
+        assert_eq!(new_cuts(&whole, &crossing()), self_intersecting(&crossing()));
+    }
+
+    /// Squares that touch along a line of the one, at places that rounding parts, keep that line as their own.
+    #[test]
+    fn what_touches_may_touch() {
+        let turn = glam::DMat3::from_rotation_x(0.3) * glam::DMat3::from_rotation_z(0.7);
+        let wall = moved(&square(), |p| DVec3::new(0.1 + 0.7 * p.x, 1.0 / 3.0, p.y));
+        let both = moved(&joined(&square(), &wall), |p| turn * p);
+        let original = Reference::new(both.clone()).unwrap();
+        let fine = subdivide(&subdivide(&both));
+        assert_eq!(new_cuts(&original, &fine), []);
+    }
+}
