@@ -22,8 +22,8 @@ pub(crate) struct Args {
 
 /// What is run on each model: what the tables call it, and its options.
 const MODES: [(&str, &[&str]); 3] = [
-    ("`--method paper`, uniform weights", &["--method=paper", "--relax-weights=uniform"]),
-    ("`--method paper`, adaptive weights", &["--method=paper", "--relax-weights=adaptive"]),
+    ("`--method paper`, uniform weights", &["--method=paper", "--weights=uniform"]),
+    ("`--method paper`, adaptive weights", &["--method=paper", "--weights=adaptive"]),
     ("our default", &[]),
 ];
 /// The options of a base mesh by each mode.

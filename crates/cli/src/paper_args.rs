@@ -8,7 +8,7 @@ use semireg::{PaperOptions, Weights};
 pub(crate) struct PaperArgs {
     /// With --method paper: weights of the neighbours in its relaxation [default: uniform]
     #[arg(long, value_name = "WEIGHTS", value_enum)]
-    pub(crate) relax_weights: Option<WeightsArg>,
+    pub(crate) weights: Option<WeightsArg>,
     /// With --method paper: mean quality at which its relaxation stops, 0 to 1 [default: 1, never reached]
     #[arg(long, value_name = "Q", value_parser = quality, allow_negative_numbers = true)]
     pub(crate) target_quality: Option<f64>,
@@ -21,7 +21,7 @@ impl PaperArgs {
     /// The first option that was given.
     pub(crate) fn given(self) -> Option<&'static str> {
         let options = [
-            ("--relax-weights", self.relax_weights.is_some()),
+            ("--weights", self.weights.is_some()),
             ("--target-quality", self.target_quality.is_some()),
             ("--relax-iterations", self.relax_iterations.is_some()),
         ];
@@ -32,7 +32,7 @@ impl PaperArgs {
     pub(crate) fn options(self) -> PaperOptions {
         let default = PaperOptions::default();
         PaperOptions {
-            weights: self.relax_weights.map_or(default.weights, Weights::from),
+            weights: self.weights.map_or(default.weights, Weights::from),
             target_quality: self.target_quality.unwrap_or(default.target_quality),
             iterations: self.relax_iterations.map_or(default.iterations, |n| n as usize),
         }

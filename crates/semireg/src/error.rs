@@ -126,11 +126,11 @@ pub enum Error {
     Snap(#[from] snap::SnapError),
     /// So much of the result is folded that a certificate is not worth its time.
     #[error(
-        "{folded} of {triangles} triangles would face against the surface: the base mesh is too coarse for its shape; ask for more base \
-         vertices, or split the input into its parts"
+        "{folded} of {triangles} triangles would face against the surface or have no area: the base mesh is too coarse for its shape; ask \
+         for more base vertices, or split the input into its parts"
     )]
     Folded {
-        /// Triangles that face against the surface.
+        /// Triangles that face against the surface or have no area.
         folded: usize,
         /// Triangles in all.
         triangles: usize,

@@ -148,7 +148,7 @@ impl Tries<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Tries more base vertices as long as the best result is too coarse for the shape, and they help.
+    /// Tries more base vertices as long as the best result is too coarse for the shape, and they help much.
     fn grow(&mut self, are_levels_ours: bool, run: &mut Run) {
         let Some(Verdict::Short { shortcomings }) = self.best.verdict() else { return };
         let is_poor = shortcomings.iter().any(|s| matches!(s, Shortcoming::MeanShape(_) | Shortcoming::LeastShape(_)));
@@ -167,7 +167,7 @@ impl Tries<'_> {
                 Ok(None) => return,
                 Err(e) => self.no_base(step.remedy(), e, start, run),
             };
-            if next.is_break() && self.best.verdict() == Some(&before) {
+            if next.is_break() && !self.best.verdict().is_some_and(|now| now.is_far_better_than(&before)) {
                 return;
             }
         }

@@ -27,7 +27,7 @@ fn json_tells_what_kind_of_failure_it_was() {
         ("remesh square.obj -o out.obj --base-vertices 4000000000 --levels 8", 1, "too_large", "lower --base-vertices"),
         ("remesh square.obj -o out.obj --marked-edges square.obj", 1, "marks", "give them as"),
         ("remesh square.obj -o out.obj --weak-angle 50", 2, "usage", "raise --crease-angle"),
-        ("remesh square.obj -o out.obj --relax-weights adaptive", 2, "usage", "add that or leave"),
+        ("remesh square.obj -o out.obj --weights adaptive", 2, "usage", "add that or leave"),
         ("remesh square.obj -o out.obj --method patches --relax-iterations 3", 2, "usage", "add that or leave"),
         ("remesh square.obj -o out.obj --levels -1", 2, "usage", "--help"),
         ("remesh square.obj -o square.obj", 1, "overwrite", "--force"),

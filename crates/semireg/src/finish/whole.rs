@@ -21,7 +21,7 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let Placed { subdivided, projected, project, candidate } = placed(input, stages, options, run)?;
     let candidate = mended(&input.reference, candidate, options, run)?;
     let candidate = matched(&input.reference, candidate, options)?;
-    NextStage::Snap.is_worth(candidate.relaxed.inverted.len(), candidate.n_triangles())?;
+    NextStage::Snap.is_worth(candidate.n_faults(), candidate.n_triangles())?;
     let finish = |candidate, run: &mut Run| {
         let snapped = snapped(&input.reference, candidate, &options.relax, run);
         joined(&input.reference, snapped, &again(&options.relax))

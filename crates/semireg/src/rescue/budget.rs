@@ -17,7 +17,8 @@ const MOST_FAILED: u64 = 300_000;
 /// Work on all results of a run at most, with the one that is made finer for its shape: no answer shall take minutes.
 const MOST_ON_SHAPE: u64 = 450_000;
 
-/// What a candidate may have folded at most to be worth the next stage, as a share of its triangles. Small results may have more, as they
+/// What a candidate may have folded (before the relaxation and mending) or refused by the certificate at most to be worth the next stage, as a share of
+/// its triangles. Small results may have more, as they
 /// cost little: the bound falls with a power of the number of triangles, without a step.
 struct Bound {
     /// Of results of `SMALL` triangles and fewer.
@@ -35,7 +36,8 @@ const LARGE: f64 = 50_000.0;
 const TO_RELAX: Bound = Bound { small: 0.5, large: 0.01 };
 /// Before single places are mended.
 const TO_MEND: Bound = Bound { small: 0.04, large: 0.04 };
-/// Before snapping, which mended up to .032 of small results (brick_small), and of large ones nothing in 15 to 45 s (DamagedHelmet, crank_cse).
+/// Before snapping, which mended up to .032 of small results (brick_small), and of large ones nothing in 15 to 160 s (DamagedHelmet, crank_cse,
+/// 2CylinderEngine).
 const TO_SNAP: Bound = Bound { small: 0.04, large: 1e-3 };
 /// Before the fit and the certificate: neither mends any.
 const TO_FIT: Bound = Bound { small: 1e-3, large: 1e-3 };
