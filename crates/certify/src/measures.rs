@@ -5,7 +5,7 @@ use crate::distance::{DEFAULT_SAMPLES, Distance, Stats, one_way};
 use crate::error::{MeasureError, NoSurface};
 use crate::faults::flipped;
 use crate::intersections;
-use crate::own_cuts::away_from_own;
+use crate::new_cuts::away_from_own;
 use crate::quality::{self, Quality};
 use crate::reference::Reference;
 use crate::sampling;

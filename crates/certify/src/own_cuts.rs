@@ -1,38 +1,14 @@
-//! Where does a mesh cut itself, and where does a remeshed one that did not before?
-//!
-//! A remeshed surface cuts itself wherever its original does, in triangles of its own: their number says nothing. What is new are cuts away from
-//! the curves along which the original cuts itself. Those curves are found in small pieces: of the faces that intersect others, long edges are
-//! halved, the pieces that still intersect others are kept, and so on.
+//! Where does a mesh cut itself? In small pieces along the curves: of the faces that intersect others, long edges are halved, the pieces that still
+//! intersect others are kept, and so on.
 
 use crate::intersections::self_intersecting;
-use crate::reference::Reference;
 use mesh_core::{FaceId, IdVec, TriMesh, VertexId};
 use rustc_hash::FxHashMap;
 
 /// The pieces have edges of this share of the diagonal at most. Less tells cuts nearer to those of the original from them, and takes longer.
-const SIZE: f64 = 2.5e-3;
+pub(crate) const SIZE: f64 = 2.5e-3;
 /// Edges are halved so often at most: then all are shorter.
 const ROUNDS: usize = 10;
-
-/// The faces of a remeshed surface that intersect others where the original does not cut itself, in rising order: farther from there than their
-/// own longest edge and [`SIZE`] twice, for the size of the pieces and for how far the surfaces are apart.
-pub fn new_cuts(original: &Reference, remeshed: &TriMesh) -> Vec<FaceId> {
-    away_from_own(original, remeshed, &self_intersecting(remeshed))
-}
-
-/// The same of the faces of a remeshed surface that intersect others.
-pub(crate) fn away_from_own(original: &Reference, remeshed: &TriMesh, cutting: &[FaceId]) -> Vec<FaceId> {
-    if cutting.is_empty() || original.self_intersecting().is_empty() {
-        return cutting.to_vec();
-    }
-    let own = original.own_cuts();
-    let reach = |f: FaceId| {
-        let [a, b, c] = remeshed.triangle(f);
-        a.distance(b).max(b.distance(c)).max(c.distance(a)) + 2.0 * SIZE * original.diagonal()
-    };
-    let is_new = |f: &FaceId| own.closest_within(remeshed.centroid(*f), reach(*f)).is_none();
-    cutting.iter().copied().filter(is_new).collect()
-}
 
 /// Small pieces of a mesh along the curves where it cuts itself. `cutting` are its faces that intersect others.
 pub(crate) fn pieces(mesh: &TriMesh, cutting: &[FaceId], diagonal: f64) -> TriMesh {
@@ -112,13 +88,8 @@ fn split([a, b, c]: [VertexId; 3], middles: [Option<VertexId>; 3]) -> Vec<[Verte
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_shapes::{cube, joined, moved, sphere, square, subdivide};
+    use crate::test_shapes::crossing_cubes;
     use glam::DVec3;
-
-    /// Two cubes, one of them shifted by a half along all axes.
-    fn crossing() -> TriMesh {
-        joined(&cube(), &moved(&cube(), |p| p + DVec3::new(0.5, 0.6, 0.7)))
-    }
 
     /// However a triangle is split, its parts have its area and its orientation.
     #[test]
@@ -138,7 +109,7 @@ mod tests {
     /// The pieces are small, and lie where the cubes cut each other: on the surface of both.
     #[test]
     fn pieces_follow_the_curve() {
-        let both = crossing();
+        let both = crossing_cubes();
         let found = pieces(&both, &self_intersecting(&both), 0.05 / SIZE);
         assert!(found.n_faces() > 50);
         let on = |p: DVec3, low: DVec3| (p - low).min_element().min((low + 1.0 - p).min_element()).abs();
@@ -147,30 +118,5 @@ mod tests {
             let p = found.centroid(f);
             assert!(on(p, DVec3::ZERO) < 0.06 && on(p, DVec3::new(0.5, 0.6, 0.7)) < 0.06, "{p}");
         }
-    }
-
-    /// Split finer, the cubes cut each other in more triangles, none of which is new; where a third body enters a side, all are.
-    #[test]
-    fn only_cuts_elsewhere_are_new() {
-        let original = Reference::new(crossing()).unwrap();
-        let fine = subdivide(&subdivide(&crossing()));
-        assert!(self_intersecting(&fine).len() > original.self_intersecting().len());
-        assert_eq!(new_cuts(&original, &fine), []);
-        let ball = moved(&sphere(1), |p| 0.02 * p + DVec3::new(0.2, 0.2, 0.0));
-        let new = new_cuts(&original, &joined(&subdivide(&subdivide(&fine)), &ball));
-        assert!(!new.is_empty() && new.len() < 80);
-        let whole = Reference::new(cube()).unwrap();
-        assert_eq!(new_cuts(&whole, &crossing()), self_intersecting(&crossing()));
-    }
-
-    /// Squares that touch along a line of the one, at places that rounding parts, keep that line as their own.
-    #[test]
-    fn what_touches_may_touch() {
-        let turn = glam::DMat3::from_rotation_x(0.3) * glam::DMat3::from_rotation_z(0.7);
-        let wall = moved(&square(), |p| DVec3::new(0.1 + 0.7 * p.x, 1.0 / 3.0, p.y));
-        let both = moved(&joined(&square(), &wall), |p| turn * p);
-        let original = Reference::new(both.clone()).unwrap();
-        let fine = subdivide(&subdivide(&both));
-        assert_eq!(new_cuts(&original, &fine), []);
     }
 }

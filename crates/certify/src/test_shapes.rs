@@ -40,6 +40,11 @@ pub(crate) fn cube() -> TriMesh {
     mesh(&positions, &faces)
 }
 
+/// Two cubes, one of them shifted by about a half along all axes.
+pub(crate) fn crossing_cubes() -> TriMesh {
+    joined(&cube(), &moved(&cube(), |p| p + DVec3::new(0.5, 0.6, 0.7)))
+}
+
 /// The icosahedron of radius 1.
 pub(crate) fn icosahedron() -> TriMesh {
     let g = (1.0 + 5f64.sqrt()) / 2.0;

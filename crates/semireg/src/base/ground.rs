@@ -44,6 +44,8 @@ pub(super) struct Ground<'a> {
 /// A base mesh that was made on a ground.
 pub(super) struct Made {
     pub(super) rated: Rated,
+    /// Whether better connectivity was searched for.
+    is_searched: bool,
     way: Way,
     /// What the paper's way made, on that way.
     pub(super) patches: Option<Arc<Patches>>,
@@ -93,26 +95,30 @@ impl<'a> Ground<'a> {
         (self.admits)(base.mesh().n_vertices(), base.mesh().n_faces())?;
         let (base, faults) = run.stage("retrace", || Ok::<_, Error>(retraced(surface, base)))?;
         let rated = run.stage("search", || Rated::new(surface, base, self.input.asked, self.options))?;
-        Ok(Made { rated, way, patches, faults })
+        Ok(Made { rated, is_searched: false, way, patches, faults })
     }
 
-    /// A base mesh after the search for better connectivity, with what led to it: `patches` of the other way included, and which ways led to none.
-    pub(super) fn searched(
-        &self,
-        made: Made,
-        patches: Option<Arc<Patches>>,
-        failures: &[(Way, Error)],
-        run: &mut Run,
-    ) -> Result<BaseStages, Error> {
-        let Made { rated, way, patches: own, mut faults } = made;
+    /// A base mesh after the search for better connectivity. Once is enough.
+    pub(super) fn searched(&self, made: Made, run: &mut Run) -> Result<Made, Error> {
+        if made.is_searched {
+            return Ok(made);
+        }
+        let Made { rated, mut faults, .. } = made;
         let search = || Ok::<_, Error>(searched(self.base_surface(), &self.sizing, rated, self.input.asked, self.options));
-        let (base, of_search) = run.stage("search", search)?;
+        let (rated, of_search) = run.stage("search", search)?;
         faults.extend(of_search);
+        Ok(Made { rated, faults, is_searched: true, ..made })
+    }
+
+    /// What led to a base mesh, `patches` of the other way included, and which ways led to none.
+    pub(super) fn stages(&self, made: Made, patches: Option<Arc<Patches>>, failures: &[(Way, Error)]) -> BaseStages {
+        let Made { rated, way, patches: own, faults, .. } = made;
+        let base = rated.base;
         let split = own.and_then(|p| p.split_warning());
         // Not a fault: this base mesh is small enough.
         let failed = failures.iter().filter(|(_, error)| !matches!(error, Error::TooLarge { .. }));
         let failed = failed.map(|(way, e)| format!("there is no base mesh by {}: {}", way.name(), e.with_request()));
-        Ok(BaseStages {
+        BaseStages {
             cleaned: self.input.cleaned.clone(),
             surface: self.surface.clone(),
             proxy: self.proxy.clone(),
@@ -121,7 +127,7 @@ impl<'a> Ground<'a> {
             base: Arc::new(Base::Mapped(base)),
             warnings: split.into_iter().chain(faults).chain(failed).collect(),
             patches,
-        })
+        }
     }
 
     /// So many vertices were made.

@@ -36,14 +36,14 @@ pub(super) fn searched(
     before: Rated,
     asked: usize,
     options: &Options,
-) -> (BaseMesh, Vec<String>) {
+) -> (Rated, Vec<String>) {
     if before.base.mesh().n_faces() > MOST_FACES {
-        return (before.base, Vec::new());
+        return (before, Vec::new());
     }
     match found(surface, sizing, &before, asked, options) {
-        Ok(Some((found, faults))) if found.rating > before.rating => (found.base, faults),
-        Ok(found) => (before.base, found.map_or(Vec::new(), |(_, faults)| faults)),
-        Err(e) => (before.base, vec![format!("the search for better connectivity failed: {}", e.with_request())]),
+        Ok(Some((found, faults))) if found.rating > before.rating => (found, faults),
+        Ok(found) => (before, found.map_or(Vec::new(), |(_, faults)| faults)),
+        Err(e) => (before, vec![format!("the search for better connectivity failed: {}", e.with_request())]),
     }
 }
 
