@@ -82,7 +82,7 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
             }
             let trial = |site: &Site| {
                 let change = self.estimated.get(site)?.change.clone();
-                Trial::new(&self.base, change, self.options, self.clock, f64::NEG_INFINITY)
+                Trial::new(&self.base, change, self.options, self.clock)
             };
             let trials: Vec<Option<Trial>> = new.par_iter().map(trial).collect();
             for (site, trial) in new.into_iter().zip(trials) {
@@ -147,9 +147,7 @@ mod tests {
         search.estimate_sites();
         search.try_sites();
         let mut edges = search.base.edges().into_iter();
-        let trial = edges.find_map(|edge| {
-            Trial::new(&search.base, flip(&search.base, edge)?, search.options, search.clock, f64::NEG_INFINITY)
-        });
+        let trial = edges.find_map(|edge| Trial::new(&search.base, flip(&search.base, edge)?, search.options, search.clock));
         search.carry_out(trial.unwrap());
         let change = |site: &Site| match *site {
             Site::Edge(edge) => split(&search.base, edge, search.n_middles),
@@ -158,8 +156,7 @@ mod tests {
         let estimate = |site| Estimate::new(&search.base, change(site).unwrap(), search.options, search.clock).gain;
         let hold: Vec<_> = search.estimated.iter().filter(|(_, e)| search.is_unchanged(&e.region, e.at)).collect();
         assert!(hold.iter().all(|(site, e)| estimate(site) == e.gain));
-        let gain =
-            |site| Trial::new(&search.base, change(site)?, search.options, search.clock, f64::NEG_INFINITY).map(|t| t.gain);
+        let gain = |site| Trial::new(&search.base, change(site)?, search.options, search.clock).map(|t| t.gain);
         assert!(search.tried.iter().filter(|(_, t)| search.holds(t)).all(|(site, t)| gain(site) == Some(t.gain)));
         let n = search.estimated.len();
         assert!(!hold.is_empty() && hold.len() < n, "{} of {n} hold", hold.len());

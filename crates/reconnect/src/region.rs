@@ -17,19 +17,18 @@ pub(crate) struct RelaxedRegion {
 }
 
 /// Relaxes a region (faces in rising order) after a change, with all held that faces outside have too. `None` where the region is
-/// no manifold: it meets itself in a vertex. Ends early where it is not expected to cost at most `most_cost`.
+/// no manifold: it meets itself in a vertex.
 pub(crate) fn relaxed(
     base: &EditableBase,
     region: &[FaceIndex],
     change: &Change,
     options: &ShapeOptions,
-    most_cost: f64,
 ) -> Option<RelaxedRegion> {
     let faces: Vec<PartFace> = change.after(base, region).flat_map(|face| face.parts(base.whole.mean_area(face.sheet))).collect();
     let held = held(base, region);
     let is_held = |v| held.binary_search(&v).is_ok();
     let part = base.whole.part(&faces, |v| if is_held(v) { Freedom::Fixed } else { change.state(base, v).1 })?;
-    let relaxed = part.relaxed_below(|v| change.state(base, v).0, options, most_cost);
+    let relaxed = part.relaxed(|v| change.state(base, v).0, options);
     let costs = relaxed.costs.chunks(4).map(|parts| parts.iter().sum()).collect();
     Some(RelaxedRegion { costs, moved: relaxed.moved })
 }

@@ -94,7 +94,7 @@ impl<'a, F: FnMut(&BaseEdit) -> bool + Sync> Search<'a, F> {
         if !estimate.is_promising() {
             return None;
         }
-        Trial::new(&self.base, estimate.change, self.options, self.clock, self.options.least_gain)
+        Trial::new(&self.base, estimate.change, self.options, self.clock)
     }
 
     /// Is all as it was when the edit was tried?

@@ -71,7 +71,7 @@ impl Estimate {
             f64::NEG_INFINITY
         } else {
             let few = ShapeOptions { steps: ESTIMATE_STEPS, untangling_steps: ESTIMATE_STEPS, ..options.shape.clone() };
-            relaxed(base, &region, &change, &few, f64::INFINITY).map_or(0.0, |relaxed| before - relaxed.costs.iter().sum::<f64>())
+            relaxed(base, &region, &change, &few).map_or(0.0, |relaxed| before - relaxed.costs.iter().sum::<f64>())
         };
         Self { change, gain, region, at }
     }
@@ -111,19 +111,11 @@ fn makes_irregular(base: &EditableBase, corners: &[VertexId]) -> bool {
 }
 
 impl Trial {
-    /// Relaxes a change with what is around it. `None` where that is no manifold. Ends early where it is not expected to gain `least_gain`: the gain
-    /// is less then than it could be.
-    pub(crate) fn new(
-        base: &EditableBase,
-        change: Change,
-        options: &ReconnectOptions,
-        at: usize,
-        least_gain: f64,
-    ) -> Option<Self> {
+    /// Relaxes a change with what is around it. `None` where that is no manifold.
+    pub(crate) fn new(base: &EditableBase, change: Change, options: &ReconnectOptions, at: usize) -> Option<Self> {
         let (relaxed, region) = (1..=options.rings).rev().find_map(|rings| {
             let region = base.around(&change.corners, rings);
-            let most_cost = base.cost(&region) - least_gain;
-            Some((relaxed(base, &region, &change, &options.shape, most_cost)?, region))
+            Some((relaxed(base, &region, &change, &options.shape)?, region))
         })?;
         let gain = base.cost(&region) - relaxed.costs.iter().sum::<f64>();
         Some(Self { gain, region, change, relaxed, at })

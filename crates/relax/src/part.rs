@@ -7,7 +7,7 @@ use crate::measured::Measured;
 use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
-use crate::shape::{costs, optimise_shape_below};
+use crate::shape::{costs, optimise_shape};
 use mesh_core::{FaceId, Id as _, IdVec, Topology, VertexId};
 
 /// A triangle of a part, with the vertices as they are numbered in the whole.
@@ -68,19 +68,8 @@ impl<'a> Part<'a> {
     /// Without the caution of [`relax`](crate::relax): where it leaves triangles inverted, their costs tell. `options` is what
     /// [`ShapeOptions::check`] finds right.
     pub fn relaxed(&self, placed: impl Fn(VertexId) -> PlacedVertex, options: &ShapeOptions) -> RelaxedPart {
-        self.relaxed_below(placed, options, f64::INFINITY)
-    }
-
-    /// The same for who has no use for a part that costs more than `most_cost` in all: it ends early where that is to be expected. What it returns
-    /// then costs more than it could.
-    pub fn relaxed_below(
-        &self,
-        placed: impl Fn(VertexId) -> PlacedVertex,
-        options: &ShapeOptions,
-        most_cost: f64,
-    ) -> RelaxedPart {
         let start = Measured::new(&self.domain, self.placement(placed));
-        let (measured, _) = optimise_shape_below(&self.domain, start, &self.targets, options, most_cost);
+        let (measured, _) = optimise_shape(&self.domain, start, &self.targets, options);
         RelaxedPart { costs: costs(&measured, &self.targets, options), moved: self.moved(measured.placement()) }
     }
 

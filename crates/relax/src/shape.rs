@@ -68,20 +68,9 @@ pub(crate) fn optimise_shape(
     targets: &IdVec<FaceId, f64>,
     options: &ShapeOptions,
 ) -> (Measured, usize) {
-    optimise_shape_below(domain, start, targets, options, f64::INFINITY)
-}
-
-/// The same, and it ends early where the triangles are not expected to cost at most so much in all: what steps gain falls from step to step.
-pub(crate) fn optimise_shape_below(
-    domain: &MovableDomain,
-    start: Measured,
-    targets: &IdVec<FaceId, f64>,
-    options: &ShapeOptions,
-    most_cost: f64,
-) -> (Measured, usize) {
     let mut optimiser = Optimiser::new(domain, start, targets, options);
     let untangling = optimiser.untangle(options);
-    let smoothing = optimiser.smooth(options, most_cost);
+    let smoothing = optimiser.smooth(options);
     (optimiser.now, untangling + smoothing)
 }
 
@@ -167,13 +156,12 @@ impl<'a> Optimiser<'a> {
         steps
     }
 
-    /// Steps on the energy itself until it hardly falls, or the cap, or the cost is not expected to fall as far as is asked. Returns their number.
-    fn smooth(&mut self, options: &ShapeOptions, most_cost: f64) -> usize {
+    /// Steps on the energy itself until it hardly falls, or the cap. Returns their number.
+    fn smooth(&mut self, options: &ShapeOptions) -> usize {
         self.metric.power = options.power.max(1.0);
         self.metric.cap = MOST_ENERGY;
         let least = (1.0 + self.metric.size_weight) * self.domain.topology.n_faces() as f64;
         let (mut small_gains, mut energies) = (0, self.energies(&self.now));
-        let mut cost = self.cost(&energies);
         for steps in 0..options.steps {
             if self.domain.is_interrupted() {
                 return steps;
@@ -185,19 +173,8 @@ impl<'a> Optimiser<'a> {
             if small_gains == MOST_SMALL_GAINS {
                 return steps + 1;
             }
-            let now = self.cost(&energies);
-            let steps_left = (options.steps - steps - 1) as f64;
-            if now - steps_left * (cost - now) > most_cost {
-                return steps + 1;
-            }
-            cost = now;
         }
         options.steps
-    }
-
-    /// What triangles of these energies cost in all, about: those that are regularised cost more.
-    fn cost(&self, energies: &[f64]) -> f64 {
-        energies.iter().map(|energy| energy.min(MOST_COST) - (1.0 + self.metric.size_weight)).sum()
     }
 
     /// One Newton step from the present energies; `None` when no step lowers their sum. With `hold` no triangle that faces with
