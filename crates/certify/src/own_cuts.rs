@@ -7,18 +7,15 @@ use rustc_hash::FxHashMap;
 
 /// The pieces have edges of this share of the diagonal at most. Less tells cuts nearer to those of the original from them, and takes longer.
 pub(crate) const SIZE: f64 = 2.5e-3;
-/// Edges are halved so often at most: then all are shorter.
-const ROUNDS: usize = 10;
+/// With so many pieces no edge is halved any more. Where sheets lie in one place pieces cover all of it: more would take seconds and hundreds of
+/// megabytes, and larger ones cover the same. Curves seldom take a tenth as many.
+const MOST_PIECES: usize = 100_000;
 
 /// Small pieces of a mesh along the curves where it cuts itself. `cutting` are its faces that intersect others.
 pub(crate) fn pieces(mesh: &TriMesh, cutting: &[FaceId], diagonal: f64) -> TriMesh {
     let mut pieces =
         Pieces { positions: mesh.positions().clone(), faces: cutting.iter().map(|&f| mesh.face(f)).collect(), done: Vec::new() };
-    for _ in 0..ROUNDS {
-        if !pieces.halve(SIZE * diagonal) {
-            break;
-        }
-    }
+    while pieces.faces.len() < MOST_PIECES && pieces.halve(SIZE * diagonal) {}
     pieces.faces.append(&mut pieces.done);
     pieces.mesh()
 }
@@ -88,7 +85,7 @@ fn split([a, b, c]: [VertexId; 3], middles: [Option<VertexId>; 3]) -> Vec<[Verte
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_shapes::crossing_cubes;
+    use crate::test_shapes::{crossing_cubes, joined, moved, square};
     use glam::DVec3;
 
     /// However a triangle is split, its parts have its area and its orientation.
@@ -118,5 +115,15 @@ mod tests {
             let p = found.centroid(f);
             assert!(on(p, DVec3::ZERO) < 0.06 && on(p, DVec3::new(0.5, 0.6, 0.7)) < 0.06, "{p}");
         }
+    }
+
+    /// Squares that lie on each other in part: pieces cover that part, and are no more than that many times four.
+    #[test]
+    fn sheets_in_one_place_have_a_bounded_number_of_pieces() {
+        let both = joined(&square(), &moved(&square(), |p| p + DVec3::new(0.05, 0.02, 0.0)));
+        let found = pieces(&both, &self_intersecting(&both), both.diagonal());
+        assert!((MOST_PIECES..4 * MOST_PIECES).contains(&found.n_faces()), "{}", found.n_faces());
+        let area: f64 = found.faces().ids().map(|f| found.area(f)).sum();
+        assert!(area > 2.0 * 0.95 * 0.98 && area < 2.0, "{area}");
     }
 }

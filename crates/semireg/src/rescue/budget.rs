@@ -17,9 +17,9 @@ const MOST_FAILED: u64 = 300_000;
 /// Work on all results of a run at most, with the one that is made finer for its shape: no answer shall take minutes.
 const MOST_ON_SHAPE: u64 = 450_000;
 
-/// What a candidate may have folded (before the relaxation and mending) or refused by the certificate at most to be worth the next stage, as a share of
-/// its triangles. Small results may have more, as they
-/// cost little: the bound falls with a power of the number of triangles, without a step.
+/// What a candidate may have at most to be worth the next stage, as a share of its triangles: of folded ones before it is relaxed and mended, of those
+/// that the certificate would refuse after it. Small results may have more, as they cost little: the bound falls with a power of the number of
+/// triangles, without a step.
 struct Bound {
     /// Of results of `SMALL` triangles and fewer.
     small: f64,
