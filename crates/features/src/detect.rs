@@ -2,6 +2,7 @@
 
 use crate::corner::{cone_tips, sharp_turns};
 use crate::crease::Creases;
+use crate::narrow::cut_narrow_tips;
 use crate::options::{FeatureError, FeatureOptions, check_same_mesh};
 use crate::rounded::rounded_creases;
 use crate::simplify::simplify;
@@ -51,6 +52,7 @@ pub fn detect(
         kinds[e] = Some(ArcKind::Marked);
     }
     let minor = simplify(mesh, topology, &creases, &mut kinds, base_edge_length, options.persistence)?;
+    cut_narrow_tips(mesh, topology, &mut kinds, base_edge_length)?;
     let is_corner = corners(mesh, topology, &kinds, &touching, base_edge_length)?;
     Ok(Network::trace(mesh, topology, &kinds, |v| is_corner[v], minor)?)
 }

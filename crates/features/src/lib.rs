@@ -23,6 +23,7 @@ mod corner;
 mod crease;
 mod detect;
 mod jump;
+mod narrow;
 mod options;
 mod rounded;
 mod simplify;

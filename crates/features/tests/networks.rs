@@ -198,3 +198,40 @@ fn at_180_degrees_there_are_no_creases() {
         assert_eq!(creases(180.0), 0);
     }
 }
+
+/// A floor with a step across it whose height falls from `height` at x = 0 to nothing at x = 1, with the square of the way to there, and then an even floor: `n` columns to the end of the
+/// step, and the wall of the step in `rows` rows.
+fn fading_step(n: u32, rows: u32, height: f64) -> TriMesh {
+    let last = 2 * n + rows;
+    let id = |i: u32, row: u32| if i >= n && (n..=n + rows).contains(&row) { i * (last + 1) + n } else { i * (last + 1) + row };
+    let step = 1.0 / f64::from(n);
+    let at = |i: u32, row: u32| {
+        let x = f64::from(i) * step;
+        let wall = f64::from(row.clamp(n, n + rows) - n) / f64::from(rows);
+        let y = f64::from(row.min(n) + row.max(n + rows)) - f64::from(2 * n + rows);
+        glam::DVec3::new(x, y * step, wall * height * (1.0 - x).max(0.0).powi(2))
+    };
+    let positions = (0..=2 * n).flat_map(|i| (0..=last).map(move |row| at(i, row))).collect();
+    let quads =
+        (0..2 * n).flat_map(|i| (0..last).map(move |row| [id(i, row), id(i + 1, row), id(i + 1, row + 1), id(i, row + 1)]));
+    let triangles = quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    TriMesh::new(positions, triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect()).expect("a mesh")
+}
+
+#[test]
+fn the_thin_tip_of_a_step_that_fades_out_is_blunt() {
+    let end_of_step = |step: &TriMesh, base_edge_length: f64| {
+        let network = network(step, base_edge_length);
+        let creases = network.arcs.iter().filter(|arc| arc.kind == ArcKind::Sharp);
+        let end = creases.flat_map(|arc| &arc.vertices).map(|&v| step.position(v).x).fold(0.0, f64::max);
+        (end, network.n_sheets)
+    };
+    for rows in [1, 2, 5] {
+        // Half a degree, and 0.0025 high, 1/80 of a base edge, at x = 0.9.
+        let (end, n_sheets) = end_of_step(&fading_step(80, rows, 0.25), 0.2);
+        assert!((0.85..=0.92).contains(&end) && n_sheets == 2, "{rows} rows: {end}, {n_sheets} sheets");
+        // Four times as high.
+        let (end, n_sheets) = end_of_step(&fading_step(80, rows, 1.0), 0.2);
+        assert!(end > 0.999 && n_sheets == 2, "{rows} rows: {end}, {n_sheets} sheets");
+    }
+}
