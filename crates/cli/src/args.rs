@@ -4,14 +4,14 @@ use crate::decode_args::DecodeArgs;
 use crate::goal_args::GoalArgs;
 use crate::kept::{FeaturesArg, KeepArg};
 use crate::number::{amount, base_vertices, bits, degrees, levels, seed, slope, threads, variants};
-use crate::paper_args::PaperArgs;
+use crate::relaxation_args::RelaxationArgs;
 use crate::shard::Shard;
 use crate::stream::is_stream;
 use crate::stream_args::{InputStreamArgs, StreamArgs, formats};
 use crate::talk::Talk;
 use clap::{Parser, Subcommand};
 use mesh_io::Format;
-use semireg::{FaceOrder, Method, PaperOptions, USUAL_LEVELS};
+use semireg::{FaceOrder, Method, USUAL_LEVELS};
 use std::path::PathBuf;
 
 /// Semi-regular remeshing of triangle meshes: few base triangles, split 1-to-4 again and again, with the creases kept.
@@ -81,7 +81,7 @@ pub(crate) struct ResultArgs {
     #[arg(long)]
     pub(crate) plain: bool,
     #[command(flatten)]
-    pub(crate) paper: PaperArgs,
+    pub(crate) relaxation: RelaxationArgs,
 }
 
 #[derive(clap::Args)]
@@ -240,7 +240,7 @@ pub(crate) struct MakingArgs {
     /// How fast lengths of base edges change along the surface, per length: 0 for edges of one length [default: 0.3]
     #[arg(long, value_name = "G", value_parser = slope, allow_negative_numbers = true)]
     pub(crate) gradation: Option<f64>,
-    /// How results are made [default: best]
+    /// How base meshes are made [default: best]
     #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArg::Best, hide_default_value = true)]
     pub(crate) method: MethodArg,
     /// Seed of all that is chosen at random
@@ -248,7 +248,7 @@ pub(crate) struct MakingArgs {
     pub(crate) seed: u64,
 }
 
-/// How results are made.
+/// How base meshes are made.
 #[derive(clap::ValueEnum, Clone, Copy)]
 pub(crate) enum MethodArg {
     /// The way that promises more; the other one where its result is not right
@@ -257,7 +257,7 @@ pub(crate) enum MethodArg {
     Patches,
     /// Decimation alone
     Decimation,
-    /// The paper's pipeline as it is printed, from the patches to its relaxation, for comparison
+    /// The paper's patches and triangulation as they are printed, for comparison; its relaxation as well, unless another is asked for
     Paper,
 }
 
@@ -267,7 +267,7 @@ impl From<MethodArg> for Method {
             MethodArg::Best => Self::Best,
             MethodArg::Patches => Self::Patches,
             MethodArg::Decimation => Self::Decimation,
-            MethodArg::Paper => Self::Paper(PaperOptions::default()),
+            MethodArg::Paper => Self::Paper,
         }
     }
 }

@@ -5,12 +5,13 @@ use crate::failure::{Failure, Kind};
 use crate::kept::FeaturesArg;
 use crate::marks::Marks;
 use crate::outputs::Outputs;
+use crate::relaxation_args::RelaxationArg;
 use crate::stream::{Source, Target};
 use crate::talk::Talk;
 use crate::{load, overwrite, stages};
 use anyhow::Context as _;
 use features::FeatureOptions;
-use semireg::{Goal, MAX_TRIANGLES, Method, Options, USUAL_LEVELS};
+use semireg::{Goal, MAX_TRIANGLES, Options, Relaxation, USUAL_LEVELS};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -78,14 +79,11 @@ impl RemeshPlan {
 
 /// The options of a remeshing, but for those that belong to one input.
 pub(crate) fn remesh_options(making: &MakingArgs, result: &ResultArgs) -> Result<Options, Failure> {
-    check_paper(making, result)?;
     let mut options = base_options(making)?;
     options.levels = result.levels;
     check_size(making.base_vertices, result.levels)?;
     options.fit = options.fit.filter(|_| !result.no_fit);
-    if let Method::Paper(paper) = &mut options.method {
-        *paper = result.paper.options();
-    }
+    options.relaxation = relaxation(making, result)?;
     Ok(options)
 }
 
@@ -181,15 +179,13 @@ fn check_features(args: &MakingArgs) -> Result<(), Failure> {
     }
 }
 
-/// What only the paper's method takes is given with no other.
-fn check_paper(making: &MakingArgs, result: &ResultArgs) -> Result<(), Failure> {
-    match result.paper.given() {
-        Some(option) if !matches!(making.method, MethodArg::Paper) => {
-            let message = format!("{option} has no meaning without --method paper; add that or leave {option} out");
-            Err(Failure::new(Kind::Usage, message))
-        }
-        _ => Ok(()),
-    }
+/// How the finest level is relaxed: as its base mesh is made, where nothing else is asked for.
+fn relaxation(making: &MakingArgs, result: &ResultArgs) -> Result<Relaxation, Failure> {
+    let default = if matches!(making.method, MethodArg::Paper) { RelaxationArg::Paper } else { RelaxationArg::Shape };
+    result.relaxation.relaxation(default).map_err(|option| {
+        let message = format!("{option} has no meaning without --relaxation paper; add that or leave {option} out");
+        Failure::new(Kind::Usage, message)
+    })
 }
 
 /// A closed surface has about two triangles a vertex.

@@ -1,6 +1,6 @@
 //! What a user may choose.
 
-use crate::Method;
+use crate::{Method, Relaxation};
 use glam::DVec3;
 use mesh_core::{CleanOptions, Soup};
 
@@ -20,8 +20,10 @@ pub struct Options {
     /// Creases that its edges don't follow are given up as minor. If its edges cannot be traced on the surface, vertices are placed by rays.
     /// Warnings say so. There is one attempt, and nothing of the base mesh is changed.
     pub base_mesh: Option<Soup>,
-    /// How the result is made: which ways to a base mesh are gone, or all of it as the paper prints it. Default [`Method::Best`].
+    /// How base meshes are made. Default [`Method::Best`].
     pub method: Method,
+    /// How a base mesh becomes the finest level. Default [`Relaxation::Shape`].
+    pub relaxation: Relaxation,
     /// How often every base face is split in four, 0 to 8. `None`, the default, splits them twice; or once where no number of base vertices is
     /// asked for and the shape takes very many.
     pub levels: Option<u32>,
@@ -82,6 +84,7 @@ impl Default for Options {
             max_distance: None,
             base_mesh: None,
             method: Method::default(),
+            relaxation: Relaxation::default(),
             levels: None,
             density: None,
             gradation: 0.3,

@@ -7,6 +7,7 @@ use crate::finish::{finished, paper_finished};
 use crate::goal::{Goal, reached};
 use crate::input::Input;
 use crate::progress::{OnProgress, Watch, watched};
+use crate::relaxation::Relaxation;
 use crate::remeshed::{Based, Remeshed};
 use crate::rescue::{Budget, Loss, PLAN, growth};
 use crate::run::Run;
@@ -196,9 +197,9 @@ impl Tries<'_> {
     fn base(&mut self, options: &Options, remedy: Remedy, stages: &BaseStages, start: Instant, run: &mut Run) -> ControlFlow<()> {
         self.needed = self.needed.max(stages.counts.needed);
         self.budget.spend(stages.base.mesh().n_faces());
-        let result = match options.method {
-            Method::Paper(paper) => paper_finished(self.input, stages, paper, options, run),
-            _ => finished(self.input, stages, options, run),
+        let result = match options.relaxation {
+            Relaxation::Paper(paper) => paper_finished(self.input, stages, paper, options, run),
+            Relaxation::Shape => finished(self.input, stages, options, run),
         };
         let verdict = result.as_ref().map_or_else(Error::verdict, |remeshed| verdict(self.input, options, remeshed));
         run.record(remedy, Some(stages.way), verdict.clone(), start);
@@ -213,7 +214,7 @@ impl Tries<'_> {
 fn only_base(input: &Input, options: &Options, run: &mut Run) -> Option<Result<BaseStages, Error>> {
     match (&input.given, options.method) {
         (Some(base), _) => Some(given(input, base, options, run)),
-        (None, Method::Paper(_)) => Some(paper(input, options, run)),
+        (None, Method::Paper) => Some(paper(input, options, run)),
         (None, _) => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mesh_core::{Soup, Topology, TriMesh};
-use semireg::{Error, Method, Options, PaperOptions, Remeshed, Way, Weights, remesh};
+use semireg::{Error, Method, Options, PaperOptions, Relaxation, Remeshed, Report, Way, Weights, remesh};
 
 fn options(base_vertices: usize, levels: u32) -> Options {
     Options { base_vertices: Some(base_vertices), levels: Some(levels), ..Options::default() }
@@ -172,6 +172,11 @@ fn topology_of(remeshed: &Remeshed) -> mesh_core::Topology {
     mesh_core::Topology::new(remeshed.mesh.faces(), remeshed.mesh.n_vertices()).unwrap()
 }
 
+/// The paper's pipeline with so many base vertices and two levels.
+fn as_printed(paper: PaperOptions, base_vertices: usize) -> Options {
+    Options { method: Method::Paper, relaxation: Relaxation::Paper(paper), ..options(base_vertices, 2) }
+}
+
 /// The paper's pipeline, from the patches to the second projection: as many vertices as asked, on the surface, and the relaxation as asked for.
 #[test]
 fn the_paper_s_pipeline_as_it_is_printed() {
@@ -180,7 +185,7 @@ fn the_paper_s_pipeline_as_it_is_printed() {
     {
         for weights in [Weights::Uniform, Weights::Adaptive] {
             let paper = PaperOptions { weights, iterations: 20, ..PaperOptions::default() };
-            let remeshed = remesh(&mesh.to_soup(), &Options { method: Method::Paper(paper), ..options(100, 2) });
+            let remeshed = remesh(&mesh.to_soup(), &as_printed(paper, 100));
             let remeshed = remeshed.unwrap_or_else(|e| panic!("{name}: {e}"));
             check_counts(name, &remeshed, 2);
             let report = &remeshed.report;
@@ -197,10 +202,26 @@ fn the_paper_s_pipeline_as_it_is_printed() {
 fn the_paper_s_relaxation_stops_at_its_target() {
     let mesh = fixtures::icosphere(10);
     let iterations = |paper| {
-        let remeshed = remesh(&mesh.to_soup(), &Options { method: Method::Paper(paper), ..options(60, 2) }).unwrap();
+        let remeshed = remesh(&mesh.to_soup(), &as_printed(paper, 60)).unwrap();
         remeshed.report.relax.quadric_iterations
     };
     assert_eq!(iterations(PaperOptions { iterations: 0, ..PaperOptions::default() }), 0);
     assert_eq!(iterations(PaperOptions { target_quality: 0.1, ..PaperOptions::default() }), 0);
     assert_eq!(iterations(PaperOptions { iterations: 3, ..PaperOptions::default() }), 3);
+}
+
+/// Base meshes and relaxations go with each other: the paper's relaxation on a decimated base mesh, also of a dense input with a proxy, and ours on
+/// the paper's base mesh.
+#[test]
+fn each_relaxation_goes_with_each_base_mesh() {
+    for (mesh, is_dense) in [(fixtures::cube(6), false), (fixtures::dense_blob(12_000), true)] {
+        let paper = Options { relaxation: Relaxation::Paper(PaperOptions::default()), ..options(60, 2) };
+        let remeshed = remesh(&mesh.to_soup(), &paper).unwrap();
+        let Report { way, relax, fit, .. } = &remeshed.report;
+        assert!(*way != Way::Paper && relax.quadric_iterations > 0 && relax.shape_steps == 0 && fit.is_none());
+        assert_eq!(remeshed.stages.base.proxy.is_some(), is_dense);
+        assert!(remeshed.stages.offsets.iter().all(|&offset| offset == 0.0) && greatest_error(&remeshed) < 0.02);
+        let ours = remesh(&mesh.to_soup(), &Options { method: Method::Paper, ..options(60, 2) }).unwrap();
+        assert!(ours.report.way == Way::Paper && ours.report.relax.shape_steps > 0 && ours.report.fit.is_some());
+    }
 }

@@ -18,4 +18,4 @@ pub use patches::Patches;
 pub(crate) use proposals::Proposals;
 pub(crate) use setting::Setting;
 pub use stages::{Base, BaseCounts, BaseStages, CellCounts};
-pub use way::{Method, PaperOptions, Way};
+pub use way::{Method, Way};

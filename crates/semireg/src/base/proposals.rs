@@ -54,7 +54,7 @@ impl<'a> Proposals<'a> {
             Method::Patches => vec![vec![Way::Patches]],
             Method::Decimation => vec![vec![Way::Decimation]],
             // It proposes its one base mesh by itself.
-            Method::Paper(_) => Vec::new(),
+            Method::Paper => Vec::new(),
             Method::Best if ground.wanted < FEW * n_parts => vec![vec![Way::Decimation, Way::Patches]],
             Method::Best => vec![vec![Way::Decimation], vec![Way::Patches]],
         };

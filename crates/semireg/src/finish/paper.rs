@@ -1,10 +1,11 @@
-//! The paper's stages after the base mesh as they are printed (section 4).
+//! The paper's stages after the base mesh as they are printed (section 4), on any base mesh.
 
 use super::fitting::certified;
 use super::whole::{Starts, assembled, on_its_base};
-use crate::base::{BaseStages, PaperOptions};
+use crate::base::BaseStages;
 use crate::candidate::Candidate;
 use crate::input::Input;
+use crate::relaxation::PaperOptions;
 use crate::remeshed::Remeshed;
 use crate::report::SnapCounts;
 use crate::rescue::{NextStage, mended};
@@ -51,12 +52,15 @@ struct Finest<'a> {
 impl Finest<'_> {
     /// The first projection by rays (eq. 6), the relaxation in space (eqs. 7 to 9), and the second projection.
     fn as_printed(&self, run: &mut Run) -> Result<(Projected, Candidate), Error> {
-        let (surface, options) = (&self.stages.surface, self.options);
+        let (surface, options) = (self.stages.base_surface(), self.options);
         let project = |domain: &_| project::project(surface, domain, None, &options.project);
         let first = run.stage("project", || project(&self.subdivided.domain))?;
         let moved = run.stage("relax", || relax::relax_in_space(surface, &first.domain, &self.paper.quadric()))?;
-        let second = run.stage("project", || project(&moved.domain))?.domain;
-        let inverted = relax::inverted(surface, &second)?;
+        let mut second = run.stage("project", || project(&moved.domain))?.domain;
+        if let Some(proxy) = self.stages.proxy.as_deref() {
+            second = run.stage("project", || proxy.carried(&second, &self.stages.surface))?;
+        }
+        let inverted = relax::inverted(&self.stages.surface, &second)?;
         let quality = |ar_mean| Quality { ar_mean, ..Quality::default() };
         let [start, after_quadric] = moved.ar_mean.map(quality);
         let end = Quality { inverted: inverted.len(), ..after_quadric };
@@ -69,7 +73,7 @@ impl Finest<'_> {
         Candidate {
             base: base.clone(),
             counts: counts.clone(),
-            base_surface: surface.clone(),
+            base_surface: self.stages.base_surface().clone(),
             surface: surface.clone(),
             faults: faulty_faces(&self.input.reference, &relaxed.domain.mesh),
             relaxed,
