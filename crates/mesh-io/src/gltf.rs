@@ -11,6 +11,7 @@ mod looks;
 mod packer;
 mod primitive;
 mod scene;
+mod tangents;
 mod unread;
 mod write;
 

@@ -52,6 +52,7 @@ fn may_see(name: &str) -> Option<Vec<&'static str>> {
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("obvhs", &["mesh-core"]),
     ("spade", &["basemesh", "fixtures"]),
+    ("bevy_mikktspace", &["mesh-io"]),
     ("flate2", &["mesh-io"]),
     ("gltf", &["mesh-io"]),
     ("gltf-json", &["mesh-io"]),

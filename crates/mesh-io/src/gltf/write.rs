@@ -6,6 +6,7 @@ use super::attributes::upside_down;
 use super::looks::{EXTENSION_LISTS, GltfLooks};
 use super::packer::{Packer, TARGET_VERTICES};
 use super::primitive::{COPIES, OURS};
+use super::tangents::{Tangents, tangents};
 use crate::attributes::Attributes;
 use crate::base64;
 use crate::corners::{Corner, Distinct};
@@ -79,8 +80,13 @@ fn finest<'a>(levels: &'a [Level]) -> Result<&'a Level<'a>, WriteError> {
 
 /// The mesh of a level.
 fn surface(packer: &mut Packer, Level { mesh, settings }: &Level) -> Result<Value, WriteError> {
-    let vertices = Vertices::new(mesh, settings.attributes);
-    let of_vertices = vertex_accessors(packer, mesh, settings.attributes, &vertices)?;
+    let tangents = tangents(mesh, settings.attributes);
+    let vertices = Vertices::new(mesh, settings.attributes, tangents.as_ref());
+    let mut of_vertices = vertex_accessors(packer, mesh, settings.attributes, &vertices)?;
+    if let Some(tangents) = tangents {
+        let tangents = vertices.by_corners(|(f, c)| tangents[f][c], || [1.0, 0.0, 0.0, 1.0]);
+        of_vertices.insert("TANGENT".to_owned(), packer.floats(&tangents, TARGET_VERTICES).into());
+    }
     let mut surface = json!({ "primitives": primitives(packer, settings.attributes, &vertices, &of_vertices) });
     if !vertices.copies.is_empty() {
         surface["extras"] = json!({ OURS: { COPIES: vertices.copies } });
@@ -105,7 +111,7 @@ fn name_levels(root: &mut Value, n: usize) {
 /// The extension that names coarser levels of a node.
 const LEVELS: &str = "MSFT_lod";
 
-/// The vertices of the file: those of the mesh, then copies of those that have several normals, texture coordinates or the like.
+/// The vertices of the file: those of the mesh, then copies of those that have several normals, texture coordinates or tangents.
 struct Vertices {
     /// Those of each triangle.
     triangles: Vec<[u32; 3]>,
@@ -116,13 +122,14 @@ struct Vertices {
 }
 
 impl Vertices {
-    fn new(mesh: &TriMesh, attributes: &Attributes) -> Self {
+    fn new(mesh: &TriMesh, attributes: &Attributes, tangents: Option<&Tangents>) -> Self {
         let normal = |(f, c): Corner| attributes.normals.get(f).map(|t| t[c].as_vec3().to_array().map(f32::to_bits));
         let same_uv = |a: Corner, b: Corner| {
             let bits = |layer: &Vec<[glam::DVec2; 3]>, (f, c): Corner| layer[f][c].as_vec2().to_array().map(f32::to_bits);
             attributes.uvs.iter().all(|layer| bits(layer, a) == bits(layer, b))
         };
-        let distinct = Distinct::new(mesh, |a, b| normal(a) == normal(b) && same_uv(a, b));
+        let tangent = |(f, c): Corner| tangents.map(|of| of[f][c].map(f32::to_bits));
+        let distinct = Distinct::new(mesh, |a, b| normal(a) == normal(b) && same_uv(a, b) && tangent(a) == tangent(b));
         let n = mesh.n_vertices();
         let (mut corners, mut copies) = (vec![None; n], Vec::new());
         let mut place = |i: usize| {

@@ -4,7 +4,7 @@ use crate::{check_refused, document, small_tetrahedron};
 use glam::DVec3;
 use mesh_core::TriMesh;
 use mesh_io::Format::{Glb, Gltf};
-use mesh_io::{Attributes, Document, Level, Settings, WriteError, read, read_bytes, write_bytes, write_levels};
+use mesh_io::{Attributes, Document, Level, Settings, WriteError, read, read_bytes, write_bytes, write_bytes_with, write_levels};
 use std::path::Path;
 
 /// A 1 x 1 square of 4 points, (0 0 0) (1 0 0) (0 1 0) (1 1 0), then the indices 0 1 2 3 as u16, as a base64 data URI.
@@ -224,5 +224,38 @@ fn levels_are_meshes_of_one_file() {
     for (levels, level) in [(vec![], 0), (vec![&moved, &fine], 0), (vec![&coarse, &fine, &coarse], 1)] {
         let refused = write(&folder.path().join("a.glb"), &levels);
         assert!(matches!(refused, Err(WriteError::NoLevel { level: l }) if l == level), "{refused:?}");
+    }
+}
+
+/// A map of normals has its frame in the file, and the bitangent points up in the picture, also where the picture is mirrored. Without such a map
+/// there are no tangents.
+#[test]
+fn maps_of_normals_have_tangents() {
+    let square = document(file(r#""meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":5}]}]"#), Gltf).soup;
+    let mesh = TriMesh::new(square.positions, square.triangles).unwrap();
+    let looks =
+        |map: &str| document(file(&format!(r#""materials":[{{"{map}":{{"index":0}}}}],{TRIANGLE}"#)), Gltf).attributes.looks;
+    for (map, mirrored) in [("normalTexture", 1.0), ("normalTexture", -1.0), ("occlusionTexture", 1.0)] {
+        let uv = |p: DVec3| glam::DVec2::new(mirrored * p.x, p.y);
+        let uvs = vec![mesh.faces().iter().map(|f| f.map(|v| uv(mesh.position(v)))).collect()];
+        let attributes = Attributes { normals: vec![[DVec3::Z; 3]; 2], uvs, looks: looks(map), ..Attributes::default() };
+        let bytes = write_bytes_with(&mesh, &Settings { attributes: &attributes, lines: &[] }, Glb).unwrap();
+        let glb = gltf::Glb::from_slice(&bytes).unwrap();
+        let root: serde_json::Value = serde_json::from_slice(&glb.json).unwrap();
+        let accessor = &root["meshes"][0]["primitives"][0]["attributes"]["TANGENT"];
+        assert_eq!(accessor.is_null(), map != "normalTexture");
+        if let Some(accessor) = accessor.as_u64() {
+            let view = &root["bufferViews"][root["accessors"][accessor as usize]["bufferView"].as_u64().unwrap() as usize];
+            let start = view["byteOffset"].as_u64().unwrap() as usize;
+            let numbers = glb.bin.unwrap()[start..start + view["byteLength"].as_u64().unwrap() as usize].to_vec();
+            let numbers: Vec<f32> = numbers.chunks(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect();
+            for tangent in numbers.chunks(4) {
+                let along = DVec3::new(tangent[0].into(), tangent[1].into(), tangent[2].into());
+                assert!((along - mirrored * DVec3::X).length() < 1e-6, "{tangent:?}");
+                let bitangent = DVec3::Z.cross(along) * f64::from(tangent[3]);
+                assert!((bitangent - DVec3::Y).length() < 1e-6, "{tangent:?}");
+            }
+            assert_eq!(numbers.len(), 16);
+        }
     }
 }
