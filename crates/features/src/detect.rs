@@ -52,8 +52,8 @@ pub fn detect(
         kinds[e] = Some(ArcKind::Marked);
     }
     let minor = simplify(mesh, topology, &creases, &mut kinds, base_edge_length, options.persistence)?;
-    cut_narrow_tips(mesh, topology, &mut kinds, base_edge_length)?;
-    let is_corner = corners(mesh, topology, &kinds, &touching, base_edge_length)?;
+    let network = cut_narrow_tips(mesh, topology, &mut kinds, base_edge_length)?;
+    let is_corner = corners(mesh, topology, &kinds, &network, &touching, base_edge_length)?;
     Ok(Network::trace(mesh, topology, &kinds, |v| is_corner[v], minor)?)
 }
 
@@ -66,18 +66,18 @@ fn marked_edges(topology: &Topology, marked: &[[VertexId; 2]]) -> Result<Vec<Edg
     marked.iter().map(find).collect()
 }
 
-/// Corners beyond those of degree other than 2: sharp turns, cone tips, and those where the surface touches itself.
+/// Corners beyond those of degree other than 2, which alone the network has: sharp turns, cone tips, and those where the surface touches itself.
 fn corners(
     mesh: &TriMesh,
     topology: &Topology,
     kinds: &IdVec<EdgeId, Option<ArcKind>>,
+    network: &Network,
     touching: &Touching<'_>,
     base_edge_length: f64,
 ) -> Result<IdVec<VertexId, bool>, NetworkError> {
     let traced = |is_corner: &IdVec<VertexId, bool>| Network::trace(mesh, topology, kinds, |v| is_corner[v], Vec::new());
-    let network = traced(&IdVec::filled(false, topology.n_vertices()))?;
     let mut is_corner = IdVec::filled(false, topology.n_vertices());
-    for v in sharp_turns(mesh, &network, base_edge_length) {
+    for v in sharp_turns(mesh, network, base_edge_length) {
         is_corner[v] = true;
     }
     for v in cone_tips(mesh, topology, kinds) {

@@ -2,6 +2,7 @@
 //!
 //! Between the two no triangle has an area worth the name, on any level, and a result with triangles without area is refused as a whole.
 
+use crate::crease::away;
 use glam::DVec3;
 use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId, closest_on_segment};
 use region_map::{ArcKind, Network, NetworkError, SheetId, spokes};
@@ -22,21 +23,25 @@ const LONGEST: f64 = 2.0;
 
 type Kinds = IdVec<EdgeId, Option<ArcKind>>;
 
-/// Gives the narrow tips of sheets to the sheet beside: the creases between the two end where they are far enough apart.
+/// Gives the narrow tips of sheets to the sheet beside: the creases between the two end where they are far enough apart. Returns the network of
+/// what is left.
 pub(crate) fn cut_narrow_tips(
     mesh: &TriMesh,
     topology: &Topology,
     kinds: &mut Kinds,
     base_edge_length: f64,
-) -> Result<(), NetworkError> {
+) -> Result<Network, NetworkError> {
     let network = Network::trace(mesh, topology, kinds, |_| false, Vec::new())?;
     let sheets = Sheets { mesh, topology, network: &network, base_edge_length };
     let on_creases: BTreeSet<VertexId> = network.arcs.iter().flat_map(|arc| arc.vertices.iter().copied()).collect();
     let tips: Vec<_> = on_creases.into_iter().flat_map(|v| sheets.tips_at(v)).collect();
+    if tips.is_empty() {
+        return Ok(network);
+    }
     for tip in tips {
         sheets.give_away(&sheets.faces_of(&tip), kinds);
     }
-    Ok(())
+    Network::trace(mesh, topology, kinds, |_| false, Vec::new())
 }
 
 /// The narrow end of a sheet.
@@ -80,7 +85,8 @@ impl Sheets<'_> {
     /// The tip between the first and the last of some halfedges that follow each other around a vertex, if it is narrow.
     fn tip_in(&self, sector: &[HalfedgeId]) -> Option<Tip> {
         let [first, last] = [sector[0], sector[sector.len() - 1]];
-        let directions: Vec<DVec3> = sector.iter().map(|&h| self.direction(h)).collect();
+        let directions: Vec<DVec3> =
+            sector.iter().map(|&h| away(self.mesh, self.topology, self.topology.edge(h), self.topology.from(h))).collect();
         let angle: f64 = directions.windows(2).map(|pair| pair[0].angle_between(pair[1])).sum();
         if angle > SHARP_ANGLE.to_radians() {
             return None;
@@ -93,11 +99,6 @@ impl Sheets<'_> {
         let sides = [nearer(BLUNT, &a, &b), nearer(BLUNT, &b, &a)];
         let has_end = sides[0].len() < a.len() && sides[1].len() < b.len();
         (is_thin && has_end).then_some(Tip { first: first.face(), sides })
-    }
-
-    fn direction(&self, h: HalfedgeId) -> DVec3 {
-        let [a, b] = [self.topology.from(h), self.topology.to(h)].map(|v| self.mesh.position(v));
-        (b - a).normalize_or_zero()
     }
 
     /// The positions along a crease, from where a halfedge of it begins, to the next corner or beyond the longest tip.

@@ -52,8 +52,18 @@ fn push_normals(attributes: &mut Attributes, buffers: &Buffers, instance: &Insta
 }
 
 /// glTF counts texture coordinates from the upper left of the image.
-pub(super) fn upside_down(uv: DVec2) -> DVec2 {
+fn upside_down(uv: DVec2) -> DVec2 {
     DVec2::new(uv.x, 1.0 - uv.y)
+}
+
+/// Texture coordinates as a file has them; 0 for what is no number.
+pub(super) fn single_uv(uv: DVec2) -> [f32; 2] {
+    upside_down(uv).as_vec2().to_array().map(|x| if x.is_finite() { x } else { 0.0 })
+}
+
+/// A normal as a file has it; z for what is no direction.
+pub(super) fn single_normal(normal: DVec3) -> [f32; 3] {
+    normal.normalize_or(DVec3::Z).as_vec3().to_array()
 }
 
 /// Layers that a file may have: more than any viewer takes.

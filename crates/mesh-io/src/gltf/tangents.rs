@@ -3,11 +3,11 @@
 //! Such a map says where normals point in a frame of normal, tangent and bitangent. A file without tangents leaves them to each viewer (glTF 2.0, section
 //! 3.7.2.1); these are what it asks viewers for: those of MikkTSpace.
 
-use super::attributes::upside_down;
+use super::attributes::{single_normal, single_uv};
 use crate::attributes::Attributes;
 use crate::looks::Looks;
 use bevy_mikktspace::{Geometry, TangentSpace};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mesh_core::TriMesh;
 use serde_json::Value;
 
@@ -37,7 +37,7 @@ fn layer_of_normal_map(looks: &Looks) -> Option<usize> {
 struct Textured<'a> {
     mesh: &'a TriMesh,
     normals: &'a [[DVec3; 3]],
-    uvs: &'a [[glam::DVec2; 3]],
+    uvs: &'a [[DVec2; 3]],
     tangents: Tangents,
 }
 
@@ -55,11 +55,11 @@ impl Geometry for Textured<'_> {
     }
 
     fn normal(&self, face: usize, corner: usize) -> [f32; 3] {
-        self.normals[face][corner].normalize_or(DVec3::Z).as_vec3().to_array()
+        single_normal(self.normals[face][corner])
     }
 
     fn tex_coord(&self, face: usize, corner: usize) -> [f32; 2] {
-        upside_down(self.uvs[face][corner]).as_vec2().to_array()
+        single_uv(self.uvs[face][corner])
     }
 
     fn set_tangent(&mut self, space: Option<TangentSpace>, face: usize, corner: usize) {

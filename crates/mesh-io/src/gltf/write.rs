@@ -2,7 +2,7 @@
 //!
 //! Nodes and meshes begin with the finest level, so that what reads only the first mesh has it.
 
-use super::attributes::upside_down;
+use super::attributes::{single_normal, single_uv};
 use super::looks::{EXTENSION_LISTS, GltfLooks};
 use super::packer::{Packer, TARGET_VERTICES};
 use super::primitive::{COPIES, OURS};
@@ -176,14 +176,11 @@ fn vertex_accessors(
     packer.bound(accessor, &positions);
     names.insert("POSITION".to_owned(), accessor.into());
     if !attributes.normals.is_empty() {
-        let unit = |(f, c): Corner| attributes.normals[f][c].normalize_or(glam::DVec3::Z).as_vec3().to_array();
-        let normals = vertices.by_corners(unit, || [0.0, 0.0, 1.0]);
+        let normals = vertices.by_corners(|(f, c)| single_normal(attributes.normals[f][c]), || [0.0, 0.0, 1.0]);
         names.insert("NORMAL".to_owned(), packer.floats(&normals, TARGET_VERTICES).into());
     }
     for (i, layer) in attributes.uvs.iter().enumerate() {
-        let number = |x: f32| if x.is_finite() { x } else { 0.0 };
-        let uv = |(f, c): Corner| upside_down(layer[f][c]).as_vec2().to_array().map(number);
-        let uvs = vertices.by_corners(uv, || [0.0; 2]);
+        let uvs = vertices.by_corners(|(f, c)| single_uv(layer[f][c]), || [0.0; 2]);
         names.insert(format!("TEXCOORD_{i}"), packer.floats(&uvs, TARGET_VERTICES).into());
     }
     if !attributes.colors.is_empty() {
