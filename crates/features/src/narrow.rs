@@ -4,7 +4,7 @@
 
 use crate::crease::away;
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId, closest_on_segment};
+use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId, distance_to_segment};
 use region_map::{ArcKind, Network, NetworkError, SheetId, spokes};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -161,8 +161,7 @@ impl Sheets<'_> {
 
 /// From a point to a chain of points.
 fn distance(p: DVec3, chain: &[DVec3]) -> f64 {
-    let to_segment = |ends: &[DVec3]| p.distance(ends[0].lerp(ends[1], closest_on_segment(p, ends[0], ends[1])));
-    chain.windows(2).map(to_segment).fold(p.distance(chain[0]), f64::min)
+    chain.windows(2).map(|ends| distance_to_segment(p, ends[0], ends[1])).fold(p.distance(chain[0]), f64::min)
 }
 
 fn length(chain: &[DVec3]) -> f64 {

@@ -48,6 +48,11 @@ pub fn closest_on_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     if length_squared > 0.0 { (ab.dot(point - a) / length_squared).clamp(0.0, 1.0) } else { 0.0 }
 }
 
+/// The distance of a point from the segment from `a` to `b`.
+pub fn distance_to_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+    point.distance(a.lerp(b, closest_on_segment(point, a, b)))
+}
+
 /// A line through space, prepared for many triangles.
 ///
 /// Woop, Benthin, Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013: triangles are sheared so that the line becomes the

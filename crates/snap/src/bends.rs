@@ -24,10 +24,7 @@ pub(crate) fn bends(surface: &Surface, spans: &BTreeMap<[VertexId; 2], ArcSpan>,
 /// The vertex inside a span that is farthest from its chord, with its distance.
 fn farthest(surface: &Surface, arc: &Arc, span: &ArcSpan) -> Option<(f64, VertexId)> {
     let [a, b] = [span.from, span.to].map(|t| arc.position(surface.mesh(), t));
-    let off = |v: VertexId| {
-        let p = surface.mesh().position(v);
-        p.distance(a.lerp(b, mesh_core::closest_on_segment(p, a, b)))
-    };
+    let off = |v: VertexId| mesh_core::distance_to_segment(surface.mesh().position(v), a, b);
     let inside =
         arc.vertices.iter().zip(&arc.lengths).filter(|&(_, &t)| within(arc, span, t).is_some_and(|s| s > 0.0 && s < 1.0));
     inside.map(|(&v, _)| (off(v), v)).max_by(|(a, v), (b, w)| a.total_cmp(b).then(w.cmp(v)))

@@ -32,7 +32,6 @@ mod let_go;
 mod minor;
 mod options;
 mod path;
-mod polyline;
 mod poor;
 mod retarget;
 mod sector;

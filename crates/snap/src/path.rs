@@ -2,8 +2,7 @@
 
 use crate::assignment::Assignment;
 use crate::minor::Piece;
-use crate::polyline::Polyline;
-use mesh_core::VertexId;
+use mesh_core::{Polyline, VertexId};
 use region_map::Domain;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
@@ -38,7 +37,8 @@ struct Reached {
 impl<'a, 'b> Path<'a, 'b> {
     /// A path along `piece` from the domain vertex `start` to `end`.
     pub(crate) fn new(assignment: &'a Assignment<'b>, piece: &'a Piece, start: VertexId, end: VertexId) -> Self {
-        let crease = piece.vertices.iter().map(|&v| assignment.surface.mesh().position(v)).collect();
+        // Only distances from it are asked.
+        let crease = piece.vertices.iter().map(|&v| (0.0, assignment.surface.mesh().position(v))).collect();
         Self { assignment, piece, crease: Polyline::new(crease), start, end }
     }
 
@@ -98,7 +98,7 @@ impl<'a, 'b> Path<'a, 'b> {
 
     /// Distance of a domain vertex from the piece.
     fn distance(&self, v: VertexId) -> f64 {
-        self.crease.distance(self.assignment.domain.mesh.position(v))
+        self.crease.foot(self.assignment.domain.mesh.position(v)).distance
     }
 
     /// The path back from the end, without vertices whose neighbours on it are joined by an edge: on a straight crease such a

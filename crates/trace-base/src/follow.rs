@@ -1,10 +1,9 @@
 //! The base edges that follow an arc.
 
 use crate::foreign::Foreign;
-use crate::polyline::Polyline;
 use crate::stops::Stop;
 use glam::DVec3;
-use mesh_core::{EdgeId, IdVec, TriMesh, VertexId};
+use mesh_core::{EdgeId, IdVec, Polyline, TriMesh, VertexId};
 use region_map::{Arc, ArcKind, CornerId, Network, spokes};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -35,7 +34,7 @@ impl<'a> Followed<'a> {
     pub(crate) fn new(mesh: &TriMesh, network: &Network, base: &'a Foreign, corners: &IdVec<CornerId, VertexId>) -> Self {
         let mut taken_vertex = IdVec::filled(false, base.mesh.n_vertices());
         corners.iter().for_each(|&v| taken_vertex[v] = true);
-        let lines: Vec<Polyline> = network.arcs.iter().map(|a| Polyline::of_arc(mesh, a, 0.0, a.length())).collect();
+        let lines: Vec<Polyline> = network.arcs.iter().map(|a| part_of_arc(mesh, a, 0.0, a.length())).collect();
         let nearest =
             |&p: &DVec3| lines.iter().fold(f64::INFINITY, |least, l| l.foot_below(p, least).map_or(least, |f| f.distance));
         let nearest_arc = base.mesh.positions().iter().map(nearest).collect();
@@ -73,7 +72,7 @@ impl<'a> Followed<'a> {
         legs.push(ends[1]);
         let mut chain = vec![legs[0]];
         for leg in legs.windows(2) {
-            let line = Polyline::of_arc(mesh, arc, leg[0].t, leg[1].t);
+            let line = part_of_arc(mesh, arc, leg[0].t, leg[1].t);
             let path = self.path(leg[0].vertex, leg[1].vertex, &line, arc.kind == ArcKind::Border, component)?;
             self.take(&path);
             chain.extend(self.spread(arc, &line, &path, [leg[0].t, leg[1].t]));
@@ -83,7 +82,7 @@ impl<'a> Followed<'a> {
 
     /// The free base vertex nearest to a part of an arc, and the arc length there. Distances are compared over the reach of each vertex.
     fn nearest(&self, mesh: &TriMesh, arc: &Arc, [from, to]: [f64; 2], component: u32) -> Option<(VertexId, f64)> {
-        let line = Polyline::of_arc(mesh, arc, from, to);
+        let line = part_of_arc(mesh, arc, from, to);
         let feet =
             self.base.mesh.positions().enumerate().filter(|(v, _)| self.may_take(*v, arc.kind == ArcKind::Border, component));
         let near = feet.map(|(v, &p)| (v, line.foot(p))).map(|(v, f)| (v, f.t, f.distance / self.base.reach[v]));
@@ -172,4 +171,17 @@ fn snapped(arc: &Arc, t: f64) -> f64 {
         s if s > 1.0 - AT_VERTEX => round + arc.lengths[i + 1],
         _ => t,
     }
+}
+
+/// The part of an arc from `from` to `to`, by arc lengths; on a loop it may go beyond the loop's start.
+fn part_of_arc(mesh: &TriMesh, arc: &Arc, from: f64, to: f64) -> Polyline {
+    let rounds = if arc.is_loop() { 2 } else { 1 };
+    let all = (0..rounds).flat_map(|k| {
+        let offset = f64::from(k) * arc.length();
+        arc.lengths.iter().zip(&arc.vertices).map(move |(t, &v)| (t + offset, mesh.position(v)))
+    });
+    let mut points = vec![(from, arc.position(mesh, from))];
+    points.extend(all.filter(|&(t, _)| from < t && t < to));
+    points.push((to, arc.position(mesh, to)));
+    Polyline::new(points)
 }

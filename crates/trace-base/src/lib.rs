@@ -33,7 +33,6 @@ mod lay;
 mod path;
 mod paths;
 mod place;
-mod polyline;
 mod retrace;
 mod stops;
 mod trace;

@@ -133,8 +133,7 @@ fn projected(surface: &Surface, domain: &Domain) -> Domain {
 fn nearest_arc(mesh: &TriMesh, network: &Network, p: DVec3) -> ArcId {
     let distance = |arc: ArcId| {
         let positions = network.arcs[arc].vertices.iter().map(|&v| mesh.position(v)).collect::<Vec<_>>();
-        let on = positions.windows(2).map(|w| w[0].lerp(w[1], mesh_core::closest_on_segment(p, w[0], w[1])).distance(p));
-        on.fold(f64::INFINITY, f64::min)
+        positions.windows(2).map(|w| mesh_core::distance_to_segment(p, w[0], w[1])).fold(f64::INFINITY, f64::min)
     };
     network.arcs.ids().min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap()
 }
