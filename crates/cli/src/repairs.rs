@@ -29,8 +29,11 @@ impl Repairs {
             not_finite,
             merged_exactly,
             merged_by_tolerance,
+            t_vertices,
             collapsed,
             flaps,
+            // A length; where it is great, a warning tells.
+            flap_width: _,
             repeated,
             turned,
             orientation_cuts,
@@ -49,6 +52,7 @@ impl Repairs {
             ("not_finite", not_finite, "triangles with coordinates that are no numbers dropped"),
             ("merged_exactly", merged_exactly, "vertices at the place of another one merged"),
             ("merged_by_tolerance", merged_by_tolerance, "vertices of cracks merged"),
+            ("t_vertices", t_vertices, "vertices on edges of triangles beside made theirs, too"),
             ("collapsed", collapsed, "triangles with one vertex twice dropped"),
             ("flaps", flaps, "triangles of folds without inside dropped"),
             ("repeated", repeated, "repeated triangles dropped"),
@@ -108,7 +112,7 @@ mod tests {
         let report = CleanReport { turned: 5, repeated: 9, unused_vertices: 1, bad_index: 2, ..CleanReport::default() };
         let repairs = Repairs::new(&report);
         let json = serde_json::to_value(&repairs).unwrap();
-        assert_eq!((json.as_object().map(|o| o.len()), &json["turned"]), (Some(17), &5.into()));
+        assert_eq!((json.as_object().map(|o| o.len()), &json["turned"]), (Some(18), &5.into()));
         let mut table = Table::default();
         repairs.summary(&mut table);
         let words = "9 repeated triangles dropped, 5 triangles turned over, 2 triangles of vertices that do not exist dropped, 1 other kinds";

@@ -12,13 +12,8 @@ const LEAST_SHARE: f64 = 1e-15;
 
 /// Merges vertices on borders that are within the tolerance, and drops the faces that collapse.
 pub(super) fn close_cracks(mesh: &mut EditableMesh, options: &CleanOptions, report: &mut CleanReport) {
-    let corners = mesh.faces.iter().flatten().map(|&v| mesh.positions[v]);
-    let Some(bounds) = Bounds::of(corners) else { return };
-    let tolerance = options.weld_tolerance * bounds.diagonal();
-    if !(options.weld_tolerance >= LEAST_SHARE && tolerance > 0.0 && tolerance.is_finite()) {
-        return;
-    }
-    let merged = merge_near(mesh, &border_vertices(mesh), tolerance, bounds.min);
+    let Some((tolerance, origin)) = tolerance(mesh, options) else { return };
+    let merged = merge_near(mesh, &border_vertices(mesh), tolerance, origin);
     if merged.is_empty() {
         return;
     }
@@ -32,6 +27,14 @@ pub(super) fn close_cracks(mesh: &mut EditableMesh, options: &CleanOptions, repo
     }
     let collapsed: IdVec<_, bool> = mesh.faces.iter().map(|&[a, b, c]| a == b || b == c || c == a).collect();
     report.collapsed += mesh.drop_faces(&collapsed);
+}
+
+/// The tolerance as a length, and the least coordinates that there are. `None` where nothing is to be merged.
+pub(super) fn tolerance(mesh: &EditableMesh, options: &CleanOptions) -> Option<(f64, DVec3)> {
+    let bounds = Bounds::of(mesh.faces.iter().flatten().map(|&v| mesh.positions[v]))?;
+    let tolerance = options.weld_tolerance * bounds.diagonal();
+    let is_wanted = options.weld_tolerance >= LEAST_SHARE && tolerance > 0.0 && tolerance.is_finite();
+    is_wanted.then_some((tolerance, bounds.min))
 }
 
 /// The ends of edges of one face, in the order of their positions: that of the numbering shall not matter.

@@ -16,6 +16,7 @@ mod provenance;
 mod repeats;
 mod report;
 mod split;
+mod t_vertices;
 mod weld;
 
 use crate::limits::{MOST_FACES, MOST_VERTICES};
@@ -105,6 +106,8 @@ pub fn clean_until(soup: &Soup, options: &CleanOptions, interrupt: &Interrupt) -
     let mut mesh = weld::weld(soup, &mut report);
     go_on()?;
     cracks::close_cracks(&mut mesh, options, &mut report);
+    go_on()?;
+    t_vertices::close_t_vertices(&mut mesh, options, &mut report);
     go_on()?;
     repeats::drop_second_layers(&mut mesh, &mut report);
     go_on()?;

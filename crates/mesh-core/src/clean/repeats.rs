@@ -3,6 +3,7 @@
 use super::edges::edge_groups;
 use super::editable_mesh::{EditableMesh, Twins};
 use super::report::CleanReport;
+use crate::measure::area;
 use crate::partition::Partition;
 use crate::{FaceId, IdVec, VertexId};
 
@@ -57,7 +58,14 @@ pub(super) fn drop_flaps(mesh: &mut EditableMesh, report: &mut CleanReport) {
         }
     }
     let flap = |f: FaceId| copies[f] == 2 && matches!((own_edges[f], edges_on_singles[f]), (1, 2) | (2, 1));
-    report.flaps += mesh.drop_faces(&mesh.faces.ids().map(flap).collect());
+    let drop: IdVec<FaceId, bool> = mesh.faces.ids().map(flap).collect();
+    let width = |f: FaceId| {
+        let [a, b, c] = mesh.triangle(f);
+        2.0 * area([a, b, c]) / a.distance(b).max(b.distance(c)).max(c.distance(a)).max(f64::MIN_POSITIVE)
+    };
+    report.flap_width =
+        drop.enumerate().filter(|(_, is_flap)| **is_flap).map(|(f, _)| width(f)).fold(report.flap_width, f64::max);
+    report.flaps += mesh.drop_faces(&drop);
 }
 
 /// Of triangles on the same vertices that face the same way the first stays.

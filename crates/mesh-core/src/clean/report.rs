@@ -27,10 +27,14 @@ pub struct CleanReport {
     pub merged_exactly: usize,
     /// Vertices on a border merged into another one there within the tolerance.
     pub merged_by_tolerance: usize,
+    /// Vertices on an edge of a border within the tolerance, along which another border runs: the triangle at that edge was split there.
+    pub t_vertices: usize,
     /// Triangles dropped: two corners are the same vertex, after merging.
     pub collapsed: usize,
     /// Triangles dropped: two that lie on each other, joined along an edge of their own: a fold that closes without them.
     pub flaps: usize,
+    /// How wide the widest of those is: its height over its longest edge, in the units of the mesh.
+    pub flap_width: f64,
     /// Triangles dropped: another one has the same three vertices. Two that face opposite ways both stay where each belongs to
     /// a part of its own, such as the common wall of two solids; of a double sheet one side stays.
     pub repeated: usize,

@@ -81,6 +81,50 @@ fn cracks_of_rounding_are_closed() {
     assert!(n_loops(&open) > 0);
 }
 
+/// A cube whose top is in `n` by `n` squares: its sides have two triangles each, with none of the vertices between.
+fn cube_with_fine_top(n: u32) -> Soup {
+    let mut cube = voxels(&[[0, 0, 0]], false);
+    cube.triangles.retain(|t| t.iter().any(|&v| cube.positions[v as usize].z == 0.0));
+    let first = cube.positions.len() as u32;
+    let at = |i: u32| f64::from(i) / f64::from(n);
+    cube.positions.extend((0..=n).flat_map(|j| (0..=n).map(move |i| DVec3::new(at(i), at(j), 1.0))));
+    let id = |i: u32, j: u32| first + j * (n + 1) + i;
+    let quads = (0..n).flat_map(|j| (0..n).map(move |i| [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)]));
+    cube.triangles.extend(quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]));
+    cube
+}
+
+#[test]
+fn t_vertices_are_closed() {
+    for n in [2, 3, 7] {
+        let closed = cleaned(&cube_with_fine_top(n));
+        assert_eq!((closed.report.t_vertices, n_components(&closed), n_loops(&closed)), (4 * (n as usize - 1), 1, 0));
+        assert!((volume(&closed.mesh) - 1.0).abs() < 1e-12);
+    }
+}
+
+/// One triangle with such vertices on all of its edges, those of three others.
+#[test]
+fn t_vertices_on_all_edges_of_a_triangle_are_closed() {
+    let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+    let beyond = [[2.0, 2.0, 0.0], [-1.0, 1.0, 0.0], [1.0, -1.0, 0.0]];
+    let faces = [[0, 1, 2], [1, 6, 3], [3, 6, 2], [2, 7, 4], [4, 7, 0], [0, 8, 5], [5, 8, 1]];
+    let closed = cleaned(&soup(&[&corners[..], &beyond[..]].concat(), &faces));
+    assert_eq!((closed.report.t_vertices, closed.mesh.n_faces(), n_components(&closed), n_loops(&closed)), (3, 10, 1, 1));
+}
+
+/// A border that only comes near another one, or leaves it on the way, stays as it is.
+#[test]
+fn borders_that_do_not_run_along_each_other_stay() {
+    let floor = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, -1.0, 0.0]];
+    let touching = [[1.0, 0.0, 0.0], [1.5, 1.0, 0.0], [0.5, 1.0, 0.0]];
+    let bent = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
+    let apart = cleaned(&soup(&[&floor[..], &touching[..]].concat(), &[[0, 1, 2], [3, 4, 5]]));
+    assert_eq!((apart.report.t_vertices, apart.mesh.n_faces()), (0, 2));
+    let apart = cleaned(&soup(&[&floor[..], &bent[..]].concat(), &[[0, 1, 2], [3, 4, 6], [4, 5, 6]]));
+    assert_eq!((apart.report.t_vertices, apart.mesh.n_faces()), (0, 3));
+}
+
 #[test]
 fn what_is_no_border_is_not_merged() {
     // Two corners of a closed tetrahedron are as near as rounding.

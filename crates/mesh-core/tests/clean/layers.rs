@@ -65,4 +65,8 @@ fn a_folded_flap_goes() {
     let cleaned = cleaned(&flap);
     assert_eq!(cleaned.mesh.to_soup(), soup(&CORNERS[..4], &TETRAHEDRON));
     assert_eq!((cleaned.report.flaps, cleaned.report.unused_vertices), (2, 1));
+    let [a, b, tip] = [0, 1, 4].map(|v| flap.positions[v]);
+    let longest = a.distance(b).max(b.distance(tip)).max(tip.distance(a));
+    let width = (b - a).cross(tip - a).length() / longest;
+    assert!((cleaned.report.flap_width - width).abs() < 1e-12, "{}", cleaned.report.flap_width);
 }

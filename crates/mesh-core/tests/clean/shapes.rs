@@ -25,7 +25,7 @@ pub(crate) fn check(soup: &Soup, cleaned: &Cleaned) {
     }
     assert!(used.iter().all(|&u| u), "all vertices are used");
     // A face without flip or split has the corners of its source.
-    if report.zero_area_flipped + report.split_edges == 0 {
+    if report.zero_area_flipped + report.split_edges + report.t_vertices == 0 {
         for f in mesh.faces().ids() {
             let mut source = soup.triangles[source_face[f] as usize].map(|v| soup.positions[v as usize].to_array());
             let mut face = mesh.triangle(f).map(|p| p.to_array());
@@ -61,7 +61,7 @@ fn check_provenance(soup: &Soup, cleaned: &Cleaned) {
         assert!(vertex_of[s as usize].is_some(), "{s}");
     }
     // Where faces keep their corners, so do they by number.
-    if report.zero_area_flipped + report.split_edges == 0 {
+    if report.zero_area_flipped + report.split_edges + report.t_vertices == 0 {
         for (f, &source) in source_face.enumerate() {
             let mut corners = mesh.face(f).map(|v| source_vertex[v]);
             let mut named =
