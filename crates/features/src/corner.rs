@@ -10,6 +10,9 @@ const TURN: f64 = 60.0;
 const WINDOW: f64 = 0.25;
 /// The window is at most this share of its arc, so that the two windows at a vertex do not reach round a closed arc.
 const WINDOW_SHARE: f64 = 0.25;
+/// A turn that is nearer to the end of its arc than this, in base edge lengths, is part of the corner there: the base edge between the two would make
+/// needles.
+const BESIDE_END: f64 = 0.0125;
 /// At a true corner half the window sees at least this share of the turn; on a circle it sees one half.
 const CONCENTRATION: f64 = 0.75;
 /// Least angle defect of a cone tip, in radians: a cone whose sides stand 65 degrees off its axis has 0.6.
@@ -19,13 +22,17 @@ const TIP_NEIGHBOURS: f64 = 0.15;
 
 /// Vertices where an arc turns sharply, the sharpest one within a window.
 pub(crate) fn sharp_turns(mesh: &TriMesh, network: &Network, base_edge_length: f64) -> Vec<VertexId> {
-    network.arcs.iter().flat_map(|arc| turns_of(mesh, arc, WINDOW * base_edge_length)).collect()
+    network.arcs.iter().flat_map(|arc| turns_of(mesh, arc, base_edge_length)).collect()
 }
 
-fn turns_of(mesh: &TriMesh, arc: &Arc, window: f64) -> Vec<VertexId> {
+fn turns_of(mesh: &TriMesh, arc: &Arc, base_edge_length: f64) -> Vec<VertexId> {
     let n = arc.halfedges.len();
-    let window = window.min(WINDOW_SHARE * arc.length());
-    let inner = if arc.is_loop() { 0..n } else { 1..n };
+    let window = (WINDOW * base_edge_length).min(WINDOW_SHARE * arc.length());
+    let is_inside = |&i: &usize| {
+        let to_end = arc.lengths[i].min(arc.length() - arc.lengths[i]);
+        arc.is_loop() || (i > 0 && to_end >= BESIDE_END * base_edge_length)
+    };
+    let inner = (0..n).filter(is_inside);
     let turns: Vec<(usize, f64)> = inner
         .filter_map(|i| {
             let [half, full] = [0.5 * window, window].map(|w| turn_at(mesh, arc, i, w));

@@ -2,6 +2,7 @@
 
 use crate::corner::{cone_tips, sharp_turns};
 use crate::crease::Creases;
+use crate::gaps::close_gaps;
 use crate::narrow::cut_narrow_tips;
 use crate::options::{FeatureError, FeatureOptions, check_same_mesh};
 use crate::rounded::rounded_creases;
@@ -52,7 +53,10 @@ pub fn detect(
         kinds[e] = Some(ArcKind::Marked);
     }
     let minor = simplify(mesh, topology, &creases, &mut kinds, base_edge_length, options.persistence)?;
-    let network = cut_narrow_tips(mesh, topology, &mut kinds, base_edge_length)?;
+    let mut network = cut_narrow_tips(mesh, topology, &mut kinds, base_edge_length)?;
+    if close_gaps(mesh, topology, &mut kinds, base_edge_length) {
+        network = Network::trace(mesh, topology, &kinds, |_| false, Vec::new())?;
+    }
     let is_corner = corners(mesh, topology, &kinds, &network, &touching, base_edge_length)?;
     Ok(Network::trace(mesh, topology, &kinds, |v| is_corner[v], minor)?)
 }

@@ -22,6 +22,7 @@ mod chains;
 mod corner;
 mod crease;
 mod detect;
+mod gaps;
 mod jump;
 mod narrow;
 mod options;

@@ -235,3 +235,29 @@ fn the_thin_tip_of_a_step_that_fades_out_is_blunt() {
         assert!(end > 0.999 && n_sheets == 2, "{rows} rows: {end}, {n_sheets} sheets");
     }
 }
+
+/// A fold along the x axis, and the tip of a roof that ends so far from it: its two eaves and its ridge meet there.
+fn fold_beside_roof(gap: f64) -> TriMesh {
+    let at = |x: f64, y: f64, z: f64| [x, y, z];
+    let positions = [
+        at(-1.0, 0.0, 0.0),
+        at(1.0, 0.0, 0.0),
+        at(0.0, gap, 0.0),
+        at(-1.0, 1.0 + gap, 0.0),
+        at(1.0, 1.0 + gap, 0.0),
+        at(0.0, 1.0 + gap, 2.0),
+        at(-1.0, -1.0, 2.0),
+        at(1.0, -1.0, 2.0),
+    ];
+    let faces = [[0, 1, 2], [0, 2, 3], [1, 4, 2], [2, 4, 5], [2, 5, 3], [6, 7, 1], [6, 1, 0]];
+    TriMesh::from_slices(&positions, &faces).expect("a mesh")
+}
+
+#[test]
+fn creases_that_nearly_touch_do_touch() {
+    let sheets = |gap: f64| network(&fold_beside_roof(gap), 0.5).n_sheets;
+    // Both sides of the roof, what is before the fold and what is behind it, around the roof.
+    assert_eq!(sheets(0.01), 4);
+    // A thousandth of a base edge: the fold runs through the tip, and parts what is left of the roof from what is right of it.
+    assert_eq!(sheets(0.0005), 5);
+}
