@@ -46,7 +46,22 @@ pub struct SharpCover {
 /// A cylinder has sharp edges of 3.6 diagonals, a cube of 7, a cow of 1 where its ears and legs begin.
 const FEW: f64 = 1.5;
 
+/// Share of the length of sharp edges that is kept where none is seen to be missing.
+pub const ACCEPTED_SHARP_COVER: f64 = 0.98;
+/// What is missing is hardly seen where it is shorter than this in all, in diagonals: half of the shortest edge that is seen as sharp.
+const LITTLE: f64 = 0.01;
+
 impl SharpCover {
+    /// Whether nobody misses what is not kept.
+    pub fn is_enough(self) -> bool {
+        self.share >= ACCEPTED_SHARP_COVER || self.missing() < LITTLE
+    }
+
+    /// The length of what is not kept, in diagonals.
+    pub fn missing(self) -> f64 {
+        (1.0 - self.share) * self.length
+    }
+
     /// Whether they are so short that they do not make the shape.
     pub fn are_few(self) -> bool {
         self.length < FEW

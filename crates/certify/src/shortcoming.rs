@@ -4,15 +4,13 @@
 //! here were set by looking at pictures of results beside those of their inputs.
 
 use crate::measures::Measures;
-use crate::sharp::SharpCover;
+use crate::sharp::{ACCEPTED_SHARP_COVER, SharpCover};
 use std::fmt::{self, Display, Formatter};
 
 /// Mean shape (AR) of triangles that look regular.
 pub const ACCEPTED_MEAN_SHAPE: f64 = 0.8;
 /// Shape (AR) that all triangles but the worst hundredth have there.
 pub const ACCEPTED_LEAST_SHAPE: f64 = 0.3;
-/// Share of the length of sharp edges that is kept where none is seen to be missing.
-pub const ACCEPTED_SHARP_COVER: f64 = 0.98;
 /// A distance of this share of the diagonal is hardly seen anywhere.
 const ACCEPTED_DISTANCE: f64 = 2.5e-3;
 /// And so is this share of a mean edge: edges of that length don't follow what is smaller.
@@ -34,8 +32,8 @@ pub enum Shortcoming {
         /// The greatest that is accepted; both in parts of the original's diagonal.
         accepted: f64,
     },
-    /// Sharp edges of the original are missing: so much of their length is kept.
-    SharpEdges(f64),
+    /// Sharp edges of the original are missing: so much is kept.
+    SharpEdges(SharpCover),
     /// Triangles are far from equilateral in the mean: their quality (AR).
     MeanShape(f64),
     /// One in a hundred triangles has a lower quality (AR).
@@ -52,7 +50,7 @@ impl Shortcoming {
         let cuts = measures.new_self_intersecting;
         let found = [
             (greatest > accepted).then_some(Self::Distance { greatest, accepted }),
-            sharp.map(|cover| cover.share).filter(|share| *share < ACCEPTED_SHARP_COVER).map(Self::SharpEdges),
+            sharp.filter(|kept| !kept.is_enough()).map(Self::SharpEdges),
             (quality.ar_mean < ACCEPTED_MEAN_SHAPE).then_some(Self::MeanShape(quality.ar_mean)),
             (quality.ar_p01 < ACCEPTED_LEAST_SHAPE).then_some(Self::LeastShape(quality.ar_p01)),
             (cuts > 0).then_some(Self::Cuts(cuts)),
@@ -64,7 +62,7 @@ impl Shortcoming {
     pub fn severity(&self) -> f64 {
         match *self {
             Self::Distance { greatest, accepted } => greatest / accepted - 1.0,
-            Self::SharpEdges(share) => (ACCEPTED_SHARP_COVER - share) / 0.1,
+            Self::SharpEdges(kept) => (ACCEPTED_SHARP_COVER - kept.share) / 0.1,
             Self::MeanShape(mean) => (ACCEPTED_MEAN_SHAPE - mean) / 0.2,
             Self::LeastShape(least) => (ACCEPTED_LEAST_SHAPE - least) / 0.2,
             Self::Cuts(cuts) => (cuts as f64).ln_1p(),
@@ -76,7 +74,10 @@ impl Display for Shortcoming {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Distance { greatest, .. } => write!(f, "it is {:.2} % of the diagonal away somewhere", 100.0 * greatest),
-            Self::SharpEdges(share) => write!(f, "{:.1} % of the sharp edges are missing", 100.0 * (1.0 - share)),
+            Self::SharpEdges(kept) if kept.are_few() => {
+                write!(f, "sharp edges are missing, {:.1} % of the diagonal long in all", 100.0 * kept.missing())
+            }
+            Self::SharpEdges(kept) => write!(f, "{:.1} % of the sharp edges are missing", 100.0 * (1.0 - kept.share)),
             Self::MeanShape(mean) => write!(f, "its triangles have a mean quality of {mean:.2}"),
             Self::LeastShape(least) => write!(f, "one triangle in a hundred has a quality below {least:.2}"),
             Self::Cuts(cuts) => write!(f, "{cuts} triangles cut others where the original does not"),
@@ -114,7 +115,7 @@ mod tests {
     #[test]
     fn worse_figures_are_more_severe() {
         let pairs = [
-            [Shortcoming::SharpEdges(0.97), Shortcoming::SharpEdges(0.5)],
+            [0.97, 0.5].map(|share| Shortcoming::SharpEdges(SharpCover { share, length: 4.0 })),
             [Shortcoming::MeanShape(0.79), Shortcoming::MeanShape(0.6)],
             [Shortcoming::LeastShape(0.29), Shortcoming::LeastShape(0.1)],
             [Shortcoming::Cuts(1), Shortcoming::Cuts(90)],

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &CheckArgs) -> anyhow::Result<()> {
         return print::report(args.talk, &checked, || table(&checked), || table(&checked));
     };
     let message = format!("{} is not a sound mesh of {} subdivision levels: {first}", checked.file, args.levels);
-    let hint = "remesh its surface, or give the number of levels that it has (--levels)";
+    let hint = "remesh its surface, or tell what it has: its levels (--levels), its order of faces (--order)";
     let failure = Failure::new(Kind::CheckFailed, format!("{message}; {hint}"));
     Err(print::failed(args.talk, &checked, failure, || table(&checked), || table(&checked)))
 }

@@ -216,7 +216,7 @@ impl Figures {
             let few = if kept.are_few() { "there are few; " } else { "" };
             format!("{}: {few}{:.1} % of their length kept", Verdict::of_sharp_edges(kept), 100.0 * kept.share)
         };
-        table.row("sharp edges", self.sharp.map_or("none that stand out".to_owned(), words));
+        table.row("sharp edges", self.sharp.map_or("none to keep".to_owned(), words));
         let (cuts, new) = (self.self_intersecting, self.self_intersecting_new);
         let words =
             || format!("{}: {cuts} triangles cut others, {new} of them where the original does not", Verdict::of_cuts(cuts, new));

@@ -211,7 +211,8 @@ impl BaseVertices {
     /// Appends its line.
     pub(crate) fn row(&self, table: &mut Table) {
         let Self { asked, needed, made, reason } = self;
-        table.row("base vertices", format!("{made} (asked {asked}, needed {needed}) {reason}").trim_end());
+        let why = if reason.is_empty() { String::new() } else { format!(": {reason}") };
+        table.row("base vertices", format!("{made} (asked {asked}, needed {needed}){why}"));
     }
 }
 

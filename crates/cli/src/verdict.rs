@@ -1,6 +1,6 @@
 //! What figures are worth, in one word.
 
-use certify::{ACCEPTED_LEAST_SHAPE, ACCEPTED_MEAN_SHAPE, ACCEPTED_SHARP_COVER, SharpCover, accepted_distance};
+use certify::{ACCEPTED_LEAST_SHAPE, ACCEPTED_MEAN_SHAPE, SharpCover, accepted_distance};
 use std::fmt::{self, Display, Formatter};
 
 /// What a person would say of a result that has such a figure.
@@ -47,7 +47,7 @@ impl Verdict {
 
     /// Of what is kept of sharp edges.
     pub(crate) fn of_sharp_edges(kept: SharpCover) -> Self {
-        Self::by(kept.share >= ACCEPTED_SHARP_COVER, kept.share >= 0.9 || kept.are_few())
+        Self::by(kept.is_enough(), kept.share >= 0.9 || kept.are_few())
     }
 
     /// Of triangles that cut others, and those of them that do where the original does not.

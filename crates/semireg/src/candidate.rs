@@ -1,5 +1,6 @@
 //! [`Candidate`]: what is tried, judged and mended.
 
+use crate::Error;
 use crate::base::{Base, BaseCounts};
 use crate::report::SnapCounts;
 use crate::verdict::Verdict;
@@ -38,6 +39,14 @@ impl Candidate {
     /// Triangles of the finest level.
     pub(crate) fn n_triangles(&self) -> usize {
         self.relaxed.domain.mesh.n_faces()
+    }
+
+    /// Fails where the certificate would refuse triangles of it: no stage after this mends any.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self.n_faults() {
+            0 => Ok(()),
+            folded => Err(Error::Folded { folded, triangles: self.n_triangles() }),
+        }
     }
 
     /// What it comes to before it is certified.

@@ -9,7 +9,7 @@ use crate::input::Input;
 use crate::progress::{OnProgress, Watch, watched};
 use crate::relaxation::Relaxation;
 use crate::remeshed::{Based, Remeshed};
-use crate::rescue::{Budget, Loss, PLAN, growth};
+use crate::rescue::{Budget, Growth, Loss, PLAN, finest, growth};
 use crate::run::Run;
 use crate::verdict::Verdict;
 use crate::{Error, Options};
@@ -101,7 +101,7 @@ fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remes
     match only_base(input, &sized, run) {
         Some(made) => drop(tries.only(made, start, run)),
         None => {
-            let _ = PLAN.iter().try_for_each(|(remedy, setting)| tries.setting(*remedy, setting, run));
+            let _ = tries.plan(options, run);
             if options.base_vertices.is_none() {
                 tries.grow(options.levels.is_none(), run);
             }
@@ -124,6 +124,20 @@ struct Tries<'a> {
 }
 
 impl Tries<'_> {
+    /// Tries the settings of the plan until a result has all parts of the input. Where neither base vertices nor levels are `asked` for, the finest base
+    /// mesh comes second.
+    fn plan(&mut self, asked: &Options, run: &mut Run) -> ControlFlow<()> {
+        let is_size_ours = asked.base_vertices.is_none() && asked.levels.is_none();
+        let finer = finest(self.input.asked, self.options.levels()).filter(|_| is_size_ours);
+        for (i, (remedy, setting)) in PLAN.iter().enumerate() {
+            if let Some(step) = finer.filter(|step| i == 1 && self.budget.bears(*step)) {
+                self.grown(step, run)?;
+            }
+            self.setting(*remedy, setting, run)?;
+        }
+        ControlFlow::Continue(())
+    }
+
     /// Tries the base meshes of a setting. Breaks where nothing more shall be tried.
     fn setting(&mut self, remedy: Remedy, setting: &Setting, run: &mut Run) -> ControlFlow<()> {
         let budget = self.budget;
@@ -138,7 +152,10 @@ impl Tries<'_> {
                 return ControlFlow::Break(());
             }
             match proposals.next(run) {
-                Ok(Some(stages)) => self.base(self.options, remedy, &stages, start, run)?,
+                Ok(Some(stages)) => {
+                    self.needed = self.needed.max(stages.counts.needed);
+                    self.base(self.options, remedy, &stages, start, run)?;
+                }
                 Ok(None) => break,
                 // Where one way led to a base mesh other settings may help.
                 Err(e) if remedy == Remedy::OtherBase => drop(self.no_base(remedy, e, start, run)),
@@ -155,22 +172,25 @@ impl Tries<'_> {
         let is_poor = shortcomings.iter().any(|s| matches!(s, Shortcoming::MeanShape(_) | Shortcoming::LeastShape(_)));
         for step in growth(self.input.asked, self.options.levels(), are_levels_ours, is_poor) {
             let Some(before) = self.best.verdict().cloned() else { return };
-            self.budget = self.budget.with_levels(step.levels);
-            if !matches!(before, Verdict::Short { .. }) || !self.budget.bears(step.times) {
+            if !matches!(before, Verdict::Short { .. }) || !self.budget.bears(step) {
                 return;
             }
-            let (start, setting) = (Instant::now(), step.setting());
-            let options = Options { levels: Some(step.levels), ..self.options.clone() };
-            let made = Proposals::new(self.input, &options, &setting, self.needed, &|_, _| Ok(()), run);
-            let made = made.and_then(|mut proposals| proposals.next(run));
-            let next = match made {
-                Ok(Some(stages)) => self.base(&options, step.remedy(), &stages, start, run),
-                Ok(None) => return,
-                Err(e) => self.no_base(step.remedy(), e, start, run),
-            };
+            let next = self.grown(step, run);
             if next.is_break() && !self.best.verdict().is_some_and(|now| now.is_far_better_than(&before)) {
                 return;
             }
+        }
+    }
+
+    /// Tries a base mesh with more vertices. Breaks where nothing more shall be tried.
+    fn grown(&mut self, step: Growth, run: &mut Run) -> ControlFlow<()> {
+        let (start, setting) = (Instant::now(), step.setting());
+        let options = Options { levels: Some(step.levels), ..self.options.clone() };
+        let made = Proposals::new(self.input, &options, &setting, self.needed, &|_, _| Ok(()), run);
+        match made.and_then(|mut proposals| proposals.next(run)) {
+            Ok(Some(stages)) => self.base(&options, step.remedy(), &stages, start, run),
+            Ok(None) => ControlFlow::Break(()),
+            Err(e) => self.no_base(step.remedy(), e, start, run),
         }
     }
 
@@ -195,8 +215,7 @@ impl Tries<'_> {
 
     /// Tries a base mesh. Breaks where nothing more shall be tried.
     fn base(&mut self, options: &Options, remedy: Remedy, stages: &BaseStages, start: Instant, run: &mut Run) -> ControlFlow<()> {
-        self.needed = self.needed.max(stages.counts.needed);
-        self.budget.spend(stages.base.mesh().n_faces());
+        self.budget.spend(stages.base.mesh().n_faces(), options.levels());
         let result = match options.relaxation {
             Relaxation::Paper(paper) => paper_finished(self.input, stages, paper, options, run),
             Relaxation::Shape => finished(self.input, stages, options, run),

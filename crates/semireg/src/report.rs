@@ -35,7 +35,7 @@ pub struct Report {
     pub fit: Option<fit::FitReport>,
     /// The independent check of the result.
     pub certificate: Certificate,
-    /// What is kept of the sharp edges that a person sees; `None` where there are none.
+    /// What is kept of the sharp edges that a person sees; `None` where there are none, or none are wanted.
     pub sharp_edges: Option<SharpCover>,
     /// What a person would not accept of it without a second look.
     pub shortcomings: Vec<Shortcoming>,

@@ -106,6 +106,11 @@ impl fmt::Display for Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use certify::SharpCover;
+
+    fn sharp_edges(share: f64) -> Shortcoming {
+        Shortcoming::SharpEdges(SharpCover { share, length: 4.0 })
+    }
 
     #[test]
     fn fewer_faults_and_smaller_losses_are_never_worse() {
@@ -115,8 +120,8 @@ mod tests {
             Verdict::Faulty { faults: 1, triangles: 100_000 },
             Verdict::Lost { base_edges: 0.5 },
             Verdict::Lost { base_edges: 0.3 },
-            Verdict::Short { shortcomings: vec![Shortcoming::SharpEdges(0.5)] },
-            Verdict::Short { shortcomings: vec![Shortcoming::SharpEdges(0.9), Shortcoming::MeanShape(0.79)] },
+            Verdict::Short { shortcomings: vec![sharp_edges(0.5)] },
+            Verdict::Short { shortcomings: vec![sharp_edges(0.9), Shortcoming::MeanShape(0.79)] },
             Verdict::Certified,
         ];
         for (i, worse) in order.iter().enumerate() {
@@ -129,7 +134,7 @@ mod tests {
 
     #[test]
     fn far_better_is_a_better_kind_or_much_less_of_the_same() {
-        let sharp = |share| Verdict::Short { shortcomings: vec![Shortcoming::SharpEdges(share)] };
+        let sharp = |share| Verdict::Short { shortcomings: vec![sharp_edges(share)] };
         for (now, before, expected) in [
             (Verdict::Certified, sharp(0.97), true),
             (sharp(0.9), Verdict::Lost { base_edges: 0.3 }, true),

@@ -149,10 +149,13 @@ fn reason(asked: usize, made: usize, surface: &Surface, setting: &Setting) -> St
         return String::new();
     }
     if setting.base_vertices > 1.0 {
-        return format!("asked {asked}, took {made}: with fewer the result was not right");
+        return "with fewer the result was not right".to_owned();
     }
     let (corners, arcs) = (surface.network().corners.len(), surface.network().arcs.len());
-    format!("asked {asked}, took {made}: {corners} corners and {arcs} arcs must be kept, and the shape between them")
+    if arcs == 0 {
+        return "the shape takes them".to_owned();
+    }
+    format!("{corners} corners and {arcs} arcs must be kept, and the shape between them")
 }
 
 /// A smaller mesh in the place of a dense surface; `None` where the surface has not many more faces than a base mesh of so many vertices needs.

@@ -45,8 +45,7 @@ pub(crate) fn paper(input: &Input, options: &Options, run: &mut Run) -> Result<B
 fn counts(asked: usize, made: usize, patches: &Patches, surface: &Surface) -> BaseCounts {
     let (corners, arcs) = (surface.network().corners.len(), surface.network().arcs.len());
     let n_patches = patches.cells.patches.len();
-    let why =
-        || format!("asked {asked}, took {made}: {corners} corners, {arcs} arcs and the borders of {n_patches} patches take them");
+    let why = || format!("{corners} corners, {arcs} arcs and the borders of {n_patches} patches take them");
     let reason = if made > asked { why() } else { String::new() };
     BaseCounts { asked, needed: patches.needed.min(made), made, reason }
 }

@@ -8,7 +8,7 @@ use crate::input::Input;
 use crate::relaxation::PaperOptions;
 use crate::remeshed::Remeshed;
 use crate::report::SnapCounts;
-use crate::rescue::{NextStage, mended};
+use crate::rescue::mended;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::faulty_faces;
@@ -32,7 +32,7 @@ pub(crate) fn paper_finished(
     let (projected, candidate) = finest.as_printed(run)?;
     let candidate = mended(&input.reference, candidate, options, run)?;
     let mut warnings = stages.warnings.clone();
-    NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
+    candidate.check()?;
     let without_fit = Options { fit: None, ..options.clone() };
     let certified = certified(&input.reference, &candidate, &without_fit, run, &mut warnings);
     let Projected { domain, report } = projected;

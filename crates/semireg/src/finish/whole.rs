@@ -13,8 +13,11 @@ use crate::rescue::{NextStage, followed, joined, matched, mended};
 use crate::run::{Run, StageSeconds};
 use crate::{Error, Options};
 use certify::{SharpEdges, Shortcoming};
-use mesh_core::TriMesh;
+use mesh_core::{Cleaned, TriMesh};
 use project::ProjectReport;
+
+/// What is wider than this share of the diagonal, a person sees in a picture of the whole.
+const SEEN: f64 = 2.5e-3;
 
 /// Makes the finest level of a base mesh. Nothing is returned that the certificate refuses.
 pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
@@ -29,7 +32,7 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let candidate = followed(&input.reference, candidate, options, run, finish)?;
     let mut warnings = stages.warnings.clone();
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
-    NextStage::Fit.is_worth(candidate.faults.flipped.len(), candidate.n_triangles())?;
+    candidate.check()?;
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
     let certified = certified.map_err(|e| on_its_base(e, stages))?;
     Ok(assembled(input, stages, Starts { subdivided, projected, project }, candidate, certified, options, warnings))
@@ -50,16 +53,17 @@ pub(super) fn assembled(
     candidate: Candidate,
     certified: Certified,
     options: &Options,
-    warnings: Vec<String>,
+    mut warnings: Vec<String>,
 ) -> Remeshed {
     let Certified { domain, offsets, fit, certificate } = certified;
     let edge = certify::mean_edge(&domain.mesh);
-    let sharp_edges = SharpEdges::new(&input.cleaned.mesh, edge).cover(&domain.mesh);
     // Who wants no creases does not miss them.
-    let wanted = sharp_edges.filter(|_| options.features.finds_creases());
+    let wanted = options.features.finds_creases();
+    let sharp_edges = wanted.then(|| SharpEdges::new(&input.cleaned.mesh, edge).cover(&domain.mesh)).flatten();
     let diagonal = input.cleaned.mesh.diagonal();
     let accepted = options.accepted_distance(1.0, edge / diagonal);
-    let shortcomings = Shortcoming::all(&certificate.measures, wanted, accepted);
+    let shortcomings = Shortcoming::all(&certificate.measures, sharp_edges, accepted);
+    warnings.extend(wide_flaps(&input.cleaned));
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -83,6 +87,15 @@ pub(super) fn assembled(
     let (surface, source_face) = (candidate.surface, input.source_face.clone());
     let stages = Stages { base, subdivided, projected, surface, source_face, region: domain.region, offsets };
     Remeshed { mesh: domain.mesh, report, stages }
+}
+
+/// A warning where what cleaning dropped as a fold without inside is large enough to be seen.
+fn wide_flaps(cleaned: &Cleaned) -> Option<String> {
+    let (n, width) = (cleaned.report.flaps, cleaned.report.flap_width / cleaned.mesh.diagonal());
+    (width > SEEN).then(|| {
+        let percent = 100.0 * width;
+        format!("{n} triangles that lie on each other were dropped, up to {percent:.1} % of the diagonal wide: give them a thickness if they shall stay")
+    })
 }
 
 /// The error of a result; on a base mesh that was given it asks for another one.

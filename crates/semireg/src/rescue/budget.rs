@@ -1,5 +1,6 @@
 //! [`Budget`]: how much a run may spend before it is given up.
 
+use super::plan::Growth;
 use crate::Error;
 
 /// Triangles of a result beyond which it is refused: it would take hours and tens of gigabytes.
@@ -39,8 +40,6 @@ const TO_MEND: Bound = Bound { small: 0.04, large: 0.04 };
 /// Before snapping, which mended up to .032 of small results (brick_small), and of large ones nothing in 15 to 160 s (DamagedHelmet, crank_cse,
 /// 2CylinderEngine).
 const TO_SNAP: Bound = Bound { small: 0.04, large: 1e-3 };
-/// Before the fit and the certificate: neither mends any.
-const TO_FIT: Bound = Bound { small: 1e-3, large: 1e-3 };
 
 impl Bound {
     fn at(&self, triangles: usize) -> f64 {
@@ -66,7 +65,7 @@ impl Budget {
 
     /// Refuses a base mesh whose finest level would be too large.
     pub(crate) fn admits(&self, base_vertices: usize, base_faces: usize) -> Result<(), Error> {
-        let triangles = self.finest(base_faces);
+        let triangles = finest(base_faces, self.levels);
         let is_unasked = triangles > MOST_UNASKED && base_vertices > MOST_TIMES * self.asked;
         if triangles > MAX_TRIANGLES || is_unasked {
             return Err(Error::TooLarge { base_vertices, triangles });
@@ -79,32 +78,27 @@ impl Budget {
         self.work > MOST_FAILED
     }
 
-    /// Whether a result on so many times the base vertices may be tried for its shape.
-    pub(crate) fn bears(&self, times: f64) -> bool {
-        let vertices = (times * self.asked as f64) as usize;
+    /// Whether a result with more base vertices may be tried for its shape.
+    pub(crate) fn bears(&self, step: Growth) -> bool {
+        let vertices = (step.times * self.asked as f64) as usize;
         // A closed surface has about two faces for each vertex.
-        self.work + self.work_on(2 * vertices) <= MOST_ON_SHAPE
+        self.work + work_on(2 * vertices, step.levels) <= MOST_ON_SHAPE
     }
 
-    /// The same with what it has spent, for results of so many levels.
-    pub(crate) fn with_levels(self, levels: u32) -> Self {
-        Self { levels, ..self }
+    /// Takes what a base mesh of so many faces costs, split so many times.
+    pub(crate) fn spend(&mut self, base_faces: usize, levels: u32) {
+        self.work = self.work.saturating_add(work_on(base_faces, levels));
     }
+}
 
-    /// Takes what a base mesh of so many faces costs.
-    pub(crate) fn spend(&mut self, base_faces: usize) {
-        self.work = self.work.saturating_add(self.work_on(base_faces));
-    }
+/// The work on a result on so many base faces.
+fn work_on(base_faces: usize, levels: u32) -> u64 {
+    finest(base_faces, levels).saturating_add(OF_A_BASE_FACE * base_faces as u64)
+}
 
-    /// The work on a result on so many base faces.
-    fn work_on(&self, base_faces: usize) -> u64 {
-        self.finest(base_faces).saturating_add(OF_A_BASE_FACE * base_faces as u64)
-    }
-
-    /// Triangles of the finest level on so many base faces.
-    fn finest(&self, base_faces: usize) -> u64 {
-        4u64.saturating_pow(self.levels).saturating_mul(base_faces as u64)
-    }
+/// Triangles of the finest level on so many base faces.
+fn finest(base_faces: usize, levels: u32) -> u64 {
+    4u64.saturating_pow(levels).saturating_mul(base_faces as u64)
 }
 
 /// The stage that a candidate comes to, and may not be worth.
@@ -116,8 +110,6 @@ pub(crate) enum NextStage {
     Mend,
     /// Snapping to bends and minor creases.
     Snap,
-    /// The fit and the certificate.
-    Fit,
 }
 
 impl NextStage {
@@ -127,7 +119,6 @@ impl NextStage {
             Self::Relax => TO_RELAX,
             Self::Mend => TO_MEND,
             Self::Snap => TO_SNAP,
-            Self::Fit => TO_FIT,
         };
         let most = bound.at(triangles);
         if folded as f64 > most * triangles as f64 { Err(Error::Folded { folded, triangles }) } else { Ok(()) }
@@ -141,13 +132,13 @@ mod tests {
     /// A result with fewer folded triangles is never given up where one with more goes on, and no bound jumps with the size.
     #[test]
     fn hope_falls_steadily_with_folds_and_with_size() {
-        for stage in [NextStage::Relax, NextStage::Mend, NextStage::Snap, NextStage::Fit] {
+        for stage in [NextStage::Relax, NextStage::Mend, NextStage::Snap] {
             for triangles in [1_000, 20_000, 49_999, 50_000, 50_001, 400_000] {
                 let goes_on: Vec<bool> = (0..triangles / 10).step_by(7).map(|n| stage.is_worth(n, triangles).is_ok()).collect();
                 assert!(goes_on[0] && goes_on.windows(2).all(|pair| pair[0] >= pair[1]));
             }
         }
-        for bound in [TO_RELAX, TO_MEND, TO_SNAP, TO_FIT] {
+        for bound in [TO_RELAX, TO_MEND, TO_SNAP] {
             let at: Vec<f64> = (10..80_000).step_by(10).map(|n| bound.at(n)).collect();
             assert!(at.windows(2).all(|pair| pair[1] <= pair[0] && pair[1] > 0.99 * pair[0]));
         }

@@ -72,11 +72,7 @@ impl<'a> Mender<'a> {
         };
         let BaseCounts { asked, needed, .. } = before.counts;
         let made = bisected.mesh().n_vertices();
-        let why = if made > asked {
-            format!("asked {asked}, took {made}: with fewer {}", self.with_fewer)
-        } else {
-            before.counts.reason.clone()
-        };
+        let why = if made > asked { format!("with fewer {}", self.with_fewer) } else { before.counts.reason.clone() };
         let candidate = Candidate {
             base: Arc::new(Base::Mapped(bisected)),
             counts: BaseCounts { asked, needed, made, reason: why },

@@ -11,5 +11,5 @@ pub use budget::MAX_TRIANGLES;
 pub(crate) use budget::{Budget, NextStage};
 pub(crate) use misses::followed;
 pub(crate) use places::mended;
-pub(crate) use plan::{Loss, PLAN, growth};
+pub(crate) use plan::{Growth, Loss, PLAN, finest, growth};
 pub(crate) use together::{joined, matched, on_touching_arcs};

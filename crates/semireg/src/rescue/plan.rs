@@ -8,12 +8,11 @@ const FIRST: Setting = Setting { persistence: 1.0, base_vertices: 1.0, as_needed
 
 /// Most models pass at the first setting, with one of its base meshes. A crease that was kept may be noise, or one that was left out may have been
 /// needed; and what is too coarse for the shape needs more vertices.
-pub(crate) const PLAN: [(Remedy, Setting); 5] = [
+pub(crate) const PLAN: [(Remedy, Setting); 4] = [
     (Remedy::AsAsked, FIRST),
     (Remedy::FewerCreases(1.6), Setting { persistence: 3.0, base_vertices: 1.6, turn: 1.2, as_needed: true }),
-    (Remedy::MoreVertices(1.5), Setting { base_vertices: 1.5, turn: 1.2, ..FIRST }),
-    (Remedy::MoreCreases, Setting { persistence: 0.4, ..FIRST }),
     (Remedy::MoreVertices(2.5), Setting { base_vertices: 2.5, turn: 1.2, as_needed: true, ..FIRST }),
+    (Remedy::MoreCreases, Setting { persistence: 0.4, ..FIRST }),
 ];
 
 /// Base vertices at most of a mesh that is made finer for its shape, by the number of its levels: 1 and less, 2 and more.
@@ -43,14 +42,21 @@ impl Growth {
 /// that helps. Poor triangles get a base mesh that is finer by a level, where levels are left to us: better ones come of that alone. What is missed
 /// needs a finer result.
 pub(crate) fn growth(asked: usize, levels: u32, are_levels_ours: bool, are_triangles_poor: bool) -> Vec<Growth> {
-    let at_most = |times: f64, levels: u32| {
-        let most = MOST_GROWN[usize::from(levels > 1)] as f64 / asked.max(1) as f64;
-        Some(Growth { times: times.min(most), levels }).filter(|growth| growth.times >= 1.5)
-    };
     if are_triangles_poor && are_levels_ours && levels > 1 {
-        return at_most(FINER, levels - 1).into_iter().collect();
+        return grown(asked, FINER, levels - 1).into_iter().collect();
     }
-    [2.0, 4.0].into_iter().filter_map(|times| at_most(times, levels)).collect()
+    [2.0, 4.0].into_iter().filter_map(|times| grown(asked, times, levels)).collect()
+}
+
+/// The finest base mesh that is tried without being asked for, split once less: most of what folds on a coarse one holds there.
+pub(crate) fn finest(asked: usize, levels: u32) -> Option<Growth> {
+    if levels > 1 { grown(asked, f64::INFINITY, levels - 1) } else { None }
+}
+
+/// So many times the base vertices, within bounds; `None` where that is hardly more.
+fn grown(asked: usize, times: f64, levels: u32) -> Option<Growth> {
+    let most = MOST_GROWN[usize::from(levels > 1)] as f64 / asked.max(1) as f64;
+    Some(Growth { times: times.min(most), levels }).filter(|growth| growth.times >= 1.5)
 }
 
 /// A result that misses the input by more than this share of a base edge somewhere has lost a part of it. Measured at level 3: good results
@@ -96,6 +102,8 @@ mod tests {
         assert_eq!(times(2_000, 2, true, true), [(4.0, 1)]);
         assert_eq!(times(1_000, 3, false, false), [(2.0, 3), (4.0, 3)]);
         assert_eq!(times(6_000, 1, true, false), []);
+        assert_eq!(finest(1_000, 2), Some(Growth { times: 8.0, levels: 1 }));
+        assert_eq!([finest(1_000, 1), finest(6_000, 2)], [None, None]);
         for asked in [1, 900, 2_500, 4_000, 9_000] {
             for (times, levels) in times(asked, 2, true, false) {
                 assert!(times * asked as f64 <= MOST_GROWN[usize::from(levels > 1)] as f64);
