@@ -14,7 +14,7 @@ pub fn check(bytes: &[u8], format: Format) {
     if document.soup.triangles.len() <= MOST_TRIANGLES {
         let _ = inspect(&document.soup);
         for weld_tolerance in [CleanOptions::default().weld_tolerance, 1e-3] {
-            check_cleaning(&document.soup, &CleanOptions { weld_tolerance });
+            check_cleaning(&document.soup, &CleanOptions { weld_tolerance, ..CleanOptions::default() });
         }
     }
 }

@@ -237,6 +237,9 @@ pub(crate) struct MakingArgs {
     /// Keep the edges where these end, as marked edges
     #[arg(long, value_name = "WHAT", value_enum, value_delimiter = ',')]
     pub(crate) keep: Vec<KeepArg>,
+    /// Split triangles where the border beside has vertices on their edges (T-vertices), so that the surface is closed there
+    #[arg(long)]
+    pub(crate) close_t_vertices: bool,
     /// How fast lengths of base edges change along the surface, per length: 0 for edges of one length [default: 0.3]
     #[arg(long, value_name = "G", value_parser = slope, allow_negative_numbers = true)]
     pub(crate) gradation: Option<f64>,

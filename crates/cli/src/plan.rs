@@ -149,6 +149,7 @@ fn add_files(options: &mut Options, args: &SourceArgs) -> anyhow::Result<()> {
 fn base_options(args: &MakingArgs) -> Result<Options, Failure> {
     let mut options = Options { seed: args.seed, method: args.method.into(), ..Options::default() };
     options.base_vertices = args.base_vertices.map(|n| n as usize);
+    options.clean.close_t_vertices = args.close_t_vertices;
     options.gradation = args.gradation.unwrap_or(options.gradation);
     check_features(args)?;
     let features = &mut options.features;

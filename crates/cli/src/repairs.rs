@@ -30,6 +30,8 @@ impl Repairs {
             merged_exactly,
             merged_by_tolerance,
             t_vertices,
+            // No repair; a warning tells.
+            open_t_vertices: _,
             collapsed,
             flaps,
             // A length; where it is great, a warning tells.

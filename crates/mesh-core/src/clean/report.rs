@@ -8,11 +8,14 @@ pub struct CleanOptions {
     ///
     /// Of 200 models from the net 8 have cracks that 1e-7 closes; remeshed with them, each side of a crack goes its own way.
     pub weld_tolerance: f64,
+    /// Split triangles on whose edge the border beside has vertices of its own (T-vertices, as where a coarse side of a box meets a fine one). Else the
+    /// surface stays open there, as it is in the file, and the report tells. Default false.
+    pub close_t_vertices: bool,
 }
 
 impl Default for CleanOptions {
     fn default() -> Self {
-        Self { weld_tolerance: 1e-6 }
+        Self { weld_tolerance: 1e-6, close_t_vertices: false }
     }
 }
 
@@ -29,6 +32,8 @@ pub struct CleanReport {
     pub merged_by_tolerance: usize,
     /// Vertices on an edge of a border within the tolerance, along which another border runs: the triangle at that edge was split there.
     pub t_vertices: usize,
+    /// The same, left as they are: the surface is open there.
+    pub open_t_vertices: usize,
     /// Triangles dropped: two corners are the same vertex, after merging.
     pub collapsed: usize,
     /// Triangles dropped: two that lie on each other, joined along an edge of their own: a fold that closes without them.

@@ -7,7 +7,7 @@ use super::report::{CleanOptions, CleanReport};
 use crate::{FaceId, HalfedgeId, IdVec, VertexId};
 use std::collections::BTreeMap;
 
-/// Splits edges of the border along which another border runs through vertices of its own: both sides then have the same vertices.
+/// Splits edges of the border, if that is wanted, along which another border runs through vertices of its own: both sides then have the same vertices.
 ///
 /// Every border of both is left alone where the other one does not run along it from end to end: what only comes near stays apart.
 pub(super) fn close_t_vertices(mesh: &mut EditableMesh, options: &CleanOptions, report: &mut CleanReport) {
@@ -18,7 +18,12 @@ pub(super) fn close_t_vertices(mesh: &mut EditableMesh, options: &CleanOptions, 
         if found.is_empty() {
             return;
         }
-        report.t_vertices += found.values().map(|(_, chain)| chain.len()).sum::<usize>();
+        let n = found.values().map(|(_, chain)| chain.len()).sum::<usize>();
+        if !options.close_t_vertices {
+            report.open_t_vertices = n;
+            return;
+        }
+        report.t_vertices += n;
         for (f, (h, chain)) in found {
             split(mesh, f, h, &chain);
         }

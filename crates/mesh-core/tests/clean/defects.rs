@@ -1,8 +1,8 @@
 //! Every defect as a small case with a known answer.
 
-use crate::shapes::{CORNERS, TETRAHEDRON, cleaned, n_components, n_loops, ring, sheet, soup, volume, voxels};
+use crate::shapes::{CORNERS, TETRAHEDRON, check, cleaned, n_components, n_loops, ring, sheet, soup, volume, voxels};
 use glam::DVec3;
-use mesh_core::{CleanError, CleanOptions, CleanReport, FaceId, Interrupt, Soup, VertexId, clean, clean_until, inspect};
+use mesh_core::{CleanError, CleanOptions, CleanReport, Cleaned, FaceId, Interrupt, Soup, VertexId, clean, clean_until, inspect};
 
 #[test]
 fn a_clean_mesh_comes_back_as_it_was() {
@@ -64,7 +64,7 @@ fn cracks_close_within_the_tolerance() {
         *p += 1e-5 * DVec3::new((i as f64).sin(), (2.0 * i as f64).sin(), (3.0 * i as f64).sin());
     }
     assert_eq!(n_components(&cleaned(&cube)), 6);
-    let closed = clean(&cube, &CleanOptions { weld_tolerance: 1e-4 }).unwrap();
+    let closed = clean(&cube, &CleanOptions { weld_tolerance: 1e-4, ..CleanOptions::default() }).unwrap();
     assert_eq!((closed.mesh.n_vertices(), closed.report.merged_by_tolerance, n_loops(&closed)), (8, 16, 0));
 }
 
@@ -77,7 +77,7 @@ fn cracks_of_rounding_are_closed() {
     let closed = clean(&cube, &CleanOptions::default()).unwrap();
     assert_eq!((closed.mesh.n_vertices(), n_loops(&closed)), (8, 0));
     assert_eq!(closed.report.merged_exactly + closed.report.merged_by_tolerance, 16);
-    let open = clean(&cube, &CleanOptions { weld_tolerance: 0.0 }).unwrap();
+    let open = clean(&cube, &CleanOptions { weld_tolerance: 0.0, ..CleanOptions::default() }).unwrap();
     assert!(n_loops(&open) > 0);
 }
 
@@ -94,10 +94,20 @@ fn cube_with_fine_top(n: u32) -> Soup {
     cube
 }
 
+/// Cleaned with all invariants checked.
+fn without_t_vertices(soup: &Soup) -> Cleaned {
+    let cleaned = clean(soup, &CleanOptions { close_t_vertices: true, ..CleanOptions::default() }).unwrap();
+    check(soup, &cleaned);
+    cleaned
+}
+
 #[test]
-fn t_vertices_are_closed() {
+fn t_vertices_are_closed_on_request() {
     for n in [2, 3, 7] {
-        let closed = cleaned(&cube_with_fine_top(n));
+        let as_it_is = cleaned(&cube_with_fine_top(n));
+        assert_eq!((as_it_is.report.open_t_vertices, as_it_is.report.t_vertices), (4 * (n as usize - 1), 0));
+        assert!(n_loops(&as_it_is) > 0);
+        let closed = without_t_vertices(&cube_with_fine_top(n));
         assert_eq!((closed.report.t_vertices, n_components(&closed), n_loops(&closed)), (4 * (n as usize - 1), 1, 0));
         assert!((volume(&closed.mesh) - 1.0).abs() < 1e-12);
     }
@@ -109,7 +119,7 @@ fn t_vertices_on_all_edges_of_a_triangle_are_closed() {
     let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
     let beyond = [[2.0, 2.0, 0.0], [-1.0, 1.0, 0.0], [1.0, -1.0, 0.0]];
     let faces = [[0, 1, 2], [1, 6, 3], [3, 6, 2], [2, 7, 4], [4, 7, 0], [0, 8, 5], [5, 8, 1]];
-    let closed = cleaned(&soup(&[&corners[..], &beyond[..]].concat(), &faces));
+    let closed = without_t_vertices(&soup(&[&corners[..], &beyond[..]].concat(), &faces));
     assert_eq!((closed.report.t_vertices, closed.mesh.n_faces(), n_components(&closed), n_loops(&closed)), (3, 10, 1, 1));
 }
 
@@ -119,9 +129,9 @@ fn borders_that_do_not_run_along_each_other_stay() {
     let floor = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, -1.0, 0.0]];
     let touching = [[1.0, 0.0, 0.0], [1.5, 1.0, 0.0], [0.5, 1.0, 0.0]];
     let bent = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
-    let apart = cleaned(&soup(&[&floor[..], &touching[..]].concat(), &[[0, 1, 2], [3, 4, 5]]));
+    let apart = without_t_vertices(&soup(&[&floor[..], &touching[..]].concat(), &[[0, 1, 2], [3, 4, 5]]));
     assert_eq!((apart.report.t_vertices, apart.mesh.n_faces()), (0, 2));
-    let apart = cleaned(&soup(&[&floor[..], &bent[..]].concat(), &[[0, 1, 2], [3, 4, 6], [4, 5, 6]]));
+    let apart = without_t_vertices(&soup(&[&floor[..], &bent[..]].concat(), &[[0, 1, 2], [3, 4, 6], [4, 5, 6]]));
     assert_eq!((apart.report.t_vertices, apart.mesh.n_faces()), (0, 3));
 }
 

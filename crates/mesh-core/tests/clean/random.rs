@@ -43,7 +43,7 @@ proptest! {
 
     #[test]
     fn with_any_tolerance_too(soup in any_soup(), share in prop_oneof![Just(0.0), Just(1e-300), Just(1e-18), Just(1e-15), Just(f64::NAN), 0.0..2.0]) {
-        if let Ok(cleaned) = clean(&soup, &CleanOptions { weld_tolerance: share }) {
+        if let Ok(cleaned) = clean(&soup, &CleanOptions { weld_tolerance: share, ..CleanOptions::default() }) {
             prop_assert!(cleaned.mesh.n_faces() > 0);
         }
     }

@@ -64,6 +64,7 @@ pub(super) fn assembled(
     let accepted = options.accepted_distance(1.0, edge / diagonal);
     let shortcomings = Shortcoming::all(&certificate.measures, sharp_edges, accepted);
     warnings.extend(wide_flaps(&input.cleaned));
+    warnings.extend(open_t_vertices(&input.cleaned));
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -96,6 +97,12 @@ fn wide_flaps(cleaned: &Cleaned) -> Option<String> {
         let percent = 100.0 * width;
         format!("{n} triangles that lie on each other were dropped, up to {percent:.1} % of the diagonal wide: give them a thickness if they shall stay")
     })
+}
+
+/// A warning where the surface is open at vertices that have none opposite.
+fn open_t_vertices(cleaned: &Cleaned) -> Option<String> {
+    let n = cleaned.report.open_t_vertices;
+    (n > 0).then(|| format!("{n} vertices lie on the edge of a triangle that has none there: the surface is open along it (--close-t-vertices closes it)"))
 }
 
 /// The error of a result; on a base mesh that was given it asks for another one.

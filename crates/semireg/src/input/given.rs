@@ -30,7 +30,12 @@ impl GivenBase {
         if non_manifold_edges + orientation_cuts + vertex_copies > 0 {
             return Err(Error::BaseNotManifold { edges: non_manifold_edges + orientation_cuts, vertices: vertex_copies });
         }
-        let same = CleanReport { merged_exactly: report.merged_exactly, turned: report.turned, ..CleanReport::default() };
+        let same = CleanReport {
+            merged_exactly: report.merged_exactly,
+            turned: report.turned,
+            open_t_vertices: report.open_t_vertices,
+            ..CleanReport::default()
+        };
         let warning = "the base mesh was repaired first (unused vertices, needles, repeated triangles)";
         Ok(Self { mesh, warnings: if report == same { Vec::new() } else { vec![warning.into()] } })
     }
