@@ -203,16 +203,19 @@ impl Try {
 impl BaseVertices {
     /// How many there are, and why there are not as many as asked.
     pub(crate) fn words(&self) -> String {
-        let Self { asked, made, reason, .. } = self;
-        let why = if reason.is_empty() { String::new() } else { format!(": {reason}") };
+        let Self { asked, made, .. } = self;
+        let why = self.why();
         if made == asked { format!("{made} vertices") } else { format!("{made} vertices (asked {asked}{why})") }
     }
 
     /// Appends its line.
     pub(crate) fn row(&self, table: &mut Table) {
-        let Self { asked, needed, made, reason } = self;
-        let why = if reason.is_empty() { String::new() } else { format!(": {reason}") };
-        table.row("base vertices", format!("{made} (asked {asked}, needed {needed}){why}"));
+        let Self { asked, needed, made, .. } = self;
+        table.row("base vertices", format!("{made} (asked {asked}, needed {needed}){}", self.why()));
+    }
+
+    fn why(&self) -> String {
+        if self.reason.is_empty() { String::new() } else { format!(": {}", self.reason) }
     }
 }
 

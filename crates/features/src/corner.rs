@@ -1,7 +1,8 @@
 //! Corners that the degree of a vertex does not show: sharp turns along a chain, and the tips of cones.
 
-use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId, angles};
-use region_map::{Arc, ArcKind, Network, spokes};
+use crate::crease::{Kinds, is_on_network};
+use mesh_core::{IdVec, Topology, TriMesh, VertexId, angles};
+use region_map::{Arc, Network};
 use std::f64::consts::TAU;
 
 /// A chain that turns by more than this has a corner, in degrees. A smaller angle puts corners on rounded borders, a greater one cuts true corners off.
@@ -63,9 +64,9 @@ fn turn_at(mesh: &TriMesh, arc: &Arc, i: usize, window: f64) -> f64 {
 }
 
 /// Vertices off the network whose angle defect is large and stands alone.
-pub(crate) fn cone_tips(mesh: &TriMesh, topology: &Topology, kinds: &IdVec<EdgeId, Option<ArcKind>>) -> Vec<VertexId> {
+pub(crate) fn cone_tips(mesh: &TriMesh, topology: &Topology, kinds: &Kinds) -> Vec<VertexId> {
     let defect = angle_defects(mesh, topology);
-    let on_network = |v: VertexId| spokes(topology, v).any(|h| kinds[topology.edge(h)].is_some());
+    let on_network = |v: VertexId| is_on_network(topology, kinds, v);
     let alone =
         |v: VertexId| topology.one_ring(v).filter(|&w| !on_network(w)).all(|w| defect[w].abs() <= TIP_NEIGHBOURS * defect[v]);
     defect.ids().filter(|&v| defect[v] >= TIP_DEFECT && !on_network(v) && alone(v)).collect()

@@ -5,6 +5,9 @@ use glam::DVec3;
 use mesh_core::{EdgeId, IdVec, Topology, TriMesh, VertexId};
 use region_map::{ArcKind, spokes};
 
+/// What every edge is in the network; `None` where it is not in it.
+pub(crate) type Kinds = IdVec<EdgeId, Option<ArcKind>>;
+
 /// A crease goes on over weak edges that turn by less than 60 degrees, which is what a triangulation without an edge along the
 /// crease needs.
 const MAX_TURN_COSINE: f64 = 0.5;
@@ -58,7 +61,7 @@ impl Creases {
     }
 
     /// Kinds of all edges: borders and creases.
-    pub(crate) fn kinds(&self, topology: &Topology) -> IdVec<EdgeId, Option<ArcKind>> {
+    pub(crate) fn kinds(&self, topology: &Topology) -> Kinds {
         let kind = |e: EdgeId| match (topology.is_border_edge(e), self.is_crease[e]) {
             (true, _) => Some(ArcKind::Border),
             (false, true) => Some(ArcKind::Sharp),
@@ -72,6 +75,11 @@ impl Creases {
 pub(crate) fn away(mesh: &TriMesh, topology: &Topology, e: EdgeId, v: VertexId) -> DVec3 {
     let [a, b] = topology.ends(e);
     (mesh.position(if a == v { b } else { a }) - mesh.position(v)).normalize_or_zero()
+}
+
+/// Whether a vertex is on the network.
+pub(crate) fn is_on_network(topology: &Topology, kinds: &Kinds, v: VertexId) -> bool {
+    spokes(topology, v).any(|h| kinds[topology.edge(h)].is_some())
 }
 
 fn dihedral_angles(mesh: &TriMesh, topology: &Topology) -> IdVec<EdgeId, f64> {

@@ -1,7 +1,7 @@
 //! The feature network of a working mesh.
 
 use crate::corner::{cone_tips, sharp_turns};
-use crate::crease::Creases;
+use crate::crease::{Creases, Kinds};
 use crate::gaps::close_gaps;
 use crate::narrow::cut_narrow_tips;
 use crate::options::{FeatureError, FeatureOptions, check_same_mesh};
@@ -74,7 +74,7 @@ fn marked_edges(topology: &Topology, marked: &[[VertexId; 2]]) -> Result<Vec<Edg
 fn corners(
     mesh: &TriMesh,
     topology: &Topology,
-    kinds: &IdVec<EdgeId, Option<ArcKind>>,
+    kinds: &Kinds,
     network: &Network,
     touching: &Touching<'_>,
     base_edge_length: f64,

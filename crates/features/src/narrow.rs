@@ -2,9 +2,9 @@
 //!
 //! Between the two no triangle has an area worth the name, on any level, and a result with triangles without area is refused as a whole.
 
-use crate::crease::away;
+use crate::crease::{Kinds, away};
 use glam::DVec3;
-use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId, distance_to_segment};
+use mesh_core::{FaceId, HalfedgeId, Topology, TriMesh, VertexId, distance_to_segment};
 use region_map::{ArcKind, Network, NetworkError, SheetId, spokes};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,8 +20,6 @@ const BLUNT: f64 = 0.0125;
 const SHARP_ANGLE: f64 = 60.0;
 /// Tips are cut off up to this length, in base edge lengths: what is narrow for longer is a strip, and is kept.
 const LONGEST: f64 = 2.0;
-
-type Kinds = IdVec<EdgeId, Option<ArcKind>>;
 
 /// Gives the narrow tips of sheets to the sheet beside: the creases between the two end where they are far enough apart. Returns the network of
 /// what is left.

@@ -4,7 +4,7 @@
 //! of their junctions would use up the base mesh before its first smooth patch.
 
 use crate::chains::{Chain, Chains};
-use crate::crease::Creases;
+use crate::crease::{Creases, Kinds};
 use crate::jump::Jumps;
 use mesh_core::{EdgeId, FaceId, IdVec, Topology, TriMesh, VertexId};
 use region_map::{Arc, ArcId, ArcKind, CornerId, Network, NetworkError, SheetId};
@@ -34,8 +34,6 @@ const FULL_ANGLE: f64 = 45.0;
 /// Below this angle it has none. Measured: with 0, crumbs on the noise of the fixture organic_raw add up (mean AR .857, with 20 .917), and
 /// casting and the fixture scan keep the same creases.
 const NO_ANGLE: f64 = 20.0;
-
-type Kinds = IdVec<EdgeId, Option<ArcKind>>;
 
 /// Drops creases from `kinds` and returns them as chains of vertices. Borders and marked edges stay.
 pub(crate) fn simplify(

@@ -13,11 +13,8 @@ use crate::rescue::{NextStage, followed, joined, matched, mended};
 use crate::run::{Run, StageSeconds};
 use crate::{Error, Options};
 use certify::{SharpEdges, Shortcoming};
-use mesh_core::{Cleaned, TriMesh};
+use mesh_core::TriMesh;
 use project::ProjectReport;
-
-/// What is wider than this share of the diagonal, a person sees in a picture of the whole.
-const SEEN: f64 = 2.5e-3;
 
 /// Makes the finest level of a base mesh. Nothing is returned that the certificate refuses.
 pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
@@ -63,8 +60,7 @@ pub(super) fn assembled(
     let diagonal = input.cleaned.mesh.diagonal();
     let accepted = options.accepted_distance(1.0, edge / diagonal);
     let shortcomings = Shortcoming::all(&certificate.measures, sharp_edges, accepted);
-    warnings.extend(wide_flaps(&input.cleaned));
-    warnings.extend(open_t_vertices(&input.cleaned));
+    warnings.extend(input.warnings());
     let report = Report {
         clean: input.cleaned.report.clone(),
         base: candidate.counts.clone(),
@@ -88,21 +84,6 @@ pub(super) fn assembled(
     let (surface, source_face) = (candidate.surface, input.source_face.clone());
     let stages = Stages { base, subdivided, projected, surface, source_face, region: domain.region, offsets };
     Remeshed { mesh: domain.mesh, report, stages }
-}
-
-/// A warning where what cleaning dropped as a fold without inside is large enough to be seen.
-fn wide_flaps(cleaned: &Cleaned) -> Option<String> {
-    let (n, width) = (cleaned.report.flaps, cleaned.report.flap_width / cleaned.mesh.diagonal());
-    (width > SEEN).then(|| {
-        let percent = 100.0 * width;
-        format!("{n} triangles that lie on each other were dropped, up to {percent:.1} % of the diagonal wide: give them a thickness if they shall stay")
-    })
-}
-
-/// A warning where the surface is open at vertices that have none opposite.
-fn open_t_vertices(cleaned: &Cleaned) -> Option<String> {
-    let n = cleaned.report.open_t_vertices;
-    (n > 0).then(|| format!("{n} vertices lie on the edge of a triangle that has none there: the surface is open along it (--close-t-vertices closes it)"))
 }
 
 /// The error of a result; on a base mesh that was given it asks for another one.

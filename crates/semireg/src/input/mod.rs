@@ -5,6 +5,7 @@ mod given;
 mod marked;
 mod prepare;
 mod size;
+mod warnings;
 
 pub(crate) use given::GivenBase;
 pub(crate) use prepare::Input;
