@@ -208,6 +208,17 @@ fn no_base_triangle_has_a_straight_corner() {
     assert!(editor.faces().into_iter().all(|f| !crate::improve::has_straight_corner(&editor, f)));
 }
 
+/// The arc goes round: its vertices slide out of any bend, and the two edges of an ear become one line.
+#[test]
+fn the_ears_of_a_polygon_have_straight_corners() {
+    let corner = |i: u32| glam::DVec2::from_angle(f64::from(i) * std::f64::consts::FRAC_PI_3).extend(0.0);
+    let mesh = mesh_core::TriMesh::new((0..6).map(corner).collect(), (1..5).map(|i| [0, i, i + 1]).collect()).unwrap();
+    let surface = region_map::Surface::with_creases(mesh, 40.0).unwrap();
+    let editor = Editor::new(&surface, crate::decimate::identity(&surface).unwrap());
+    let straight: Vec<bool> = editor.faces().into_iter().map(|f| crate::improve::has_straight_corner(&editor, f)).collect();
+    assert_eq!(straight, [true, false, false, true]);
+}
+
 #[test]
 fn bisections_keep_all_promises_and_places() {
     for shape in [Shape::cube(), Shape::cylinder(), Shape::sphere(), Shape::torus()] {

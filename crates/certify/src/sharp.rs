@@ -90,10 +90,10 @@ impl SharpEdges {
         (n > 0).then_some(SharpCover { share, length: self.length / self.diagonal })
     }
 
-    /// The faces of a remeshed surface where it has no crease beside them, in rising order.
-    pub fn missed(&self, remeshed: &TriMesh) -> Vec<FaceId> {
+    /// The faces of a remeshed surface where it has no crease beside them, in rising order. None where it keeps this share of their length.
+    pub fn missed(&self, remeshed: &TriMesh, enough: f64) -> Vec<FaceId> {
         let uncovered = self.uncovered(remeshed);
-        if uncovered.is_empty() {
+        if uncovered.len() as f64 <= (1.0 - enough) * self.points.len() as f64 {
             return Vec::new();
         }
         let index = SurfaceIndex::new(remeshed);
@@ -240,8 +240,9 @@ mod tests {
         let half = share(&strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 }));
         assert!((half - 0.5).abs() < 0.05, "{half}");
         // What is missed are the faces below the other half.
-        let missed = sharp.missed(&strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 }));
-        assert!(!missed.is_empty() && sharp.missed(&mesh).is_empty());
+        let half = strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 });
+        let missed = sharp.missed(&half, 0.99);
+        assert!(!missed.is_empty() && sharp.missed(&mesh, 0.99).is_empty() && sharp.missed(&half, 0.4).is_empty());
     }
 
     #[test]

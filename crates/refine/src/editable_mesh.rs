@@ -1,7 +1,11 @@
 //! A mesh under edit: edges are flipped and split, and the twins of halfedges are kept up to date.
 
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, TriMesh, VertexId};
+use mesh_core::{FaceId, HalfedgeId, IdVec, Place, Topology, TriMesh, VertexId, place};
+use rustc_hash::FxHashMap;
+
+/// Where an edge is split that has another vertex in its middle, as shares of it.
+const BESIDE: [f64; 4] = [0.46, 0.54, 0.42, 0.58];
 
 /// Positions, faces and twins. Faces and vertices are only added.
 pub(crate) struct EditableMesh {
@@ -9,6 +13,8 @@ pub(crate) struct EditableMesh {
     pub(crate) faces: IdVec<FaceId, [VertexId; 3]>,
     pub(crate) source: IdVec<FaceId, FaceId>,
     twins: IdVec<HalfedgeId, Option<HalfedgeId>>,
+    /// Where there are vertices, and between which places those lie that came of a split.
+    origins: FxHashMap<Place, Option<[Place; 2]>>,
 }
 
 impl EditableMesh {
@@ -20,6 +26,7 @@ impl EditableMesh {
             faces: mesh.faces().clone(),
             source,
             twins: halfedges.map(|h| topology.twin(h)).collect(),
+            origins: mesh.positions().iter().map(|&p| (place(p), None)).collect(),
         }
     }
 
@@ -71,10 +78,24 @@ impl EditableMesh {
         [h.next(), h.prev(), twin.next(), twin.prev()]
     }
 
-    /// Halves an edge. Returns the new vertex, and the halfedges of the border of the new faces and of the new edges.
+    /// Where to split an edge. Sides that lie on each other are halved in the same way, and their new vertices would touch where the surface does not;
+    /// where it does along an edge, both have the same ends, and stay together.
+    fn free_place(&mut self, ends: [VertexId; 2]) -> DVec3 {
+        let mut ends = ends.map(|v| self.positions[v]);
+        ends.sort_by_key(|&p| place(p));
+        let (origin, middle) = (Some(ends.map(place)), ends[0].midpoint(ends[1]));
+        let beside = BESIDE.iter().map(|&share| ends[0].lerp(ends[1], share));
+        let is_free = |p: &DVec3| self.origins.get(&place(*p)).is_none_or(|there| *there == origin);
+        let free = std::iter::once(middle).chain(beside).find(is_free).unwrap_or(middle);
+        self.origins.entry(place(free)).or_insert(origin);
+        free
+    }
+
+    /// Halves an edge, or nearly so. Returns the new vertex, and the halfedges of the border of the new faces and of the new edges.
     pub(crate) fn split(&mut self, h: HalfedgeId) -> (VertexId, Vec<HalfedgeId>) {
         let [a, b] = self.ends(h);
-        let m = self.positions.push(self.positions[a].midpoint(self.positions[b]));
+        let middle = self.free_place([a, b]);
+        let m = self.positions.push(middle);
         let (first, mut touched) = self.halve_face(h, m);
         if let Some(twin) = self.twins[h] {
             let (second, more) = self.halve_face(twin, m);

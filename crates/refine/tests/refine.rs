@@ -193,3 +193,41 @@ fn the_crease_angle_says_which_short_edges_are_creases() {
     };
     assert_eq!([40.0, 89.0, 91.0, 180.0].map(contractions), [1, 1, 0, 0]);
 }
+
+/// Two boxes that stand on each other, the upper one with a corner in the middle of an edge of the lower one, or beside it by `beside`.
+fn box_on_a_box(beside: f64) -> TriMesh {
+    let lower = fixtures::cuboid(DVec3::splat(4.0), 1);
+    let upper = fixtures::cuboid(DVec3::splat(1.5), 1);
+    let [low, high] = [&lower, &upper].map(|m| m.positions().iter().copied().reduce(DVec3::min).unwrap());
+    let shift = low + DVec3::new(2.0 + beside, 0.0, 4.0) - high;
+    let positions = lower.positions().iter().copied().chain(upper.positions().iter().map(|p| *p + shift)).collect();
+    let n = lower.n_vertices() as u32;
+    let faces = lower.faces().iter().map(|f| f.map(|v| v.0)).chain(upper.faces().iter().map(|f| f.map(|v| v.0 + n)));
+    TriMesh::new(positions, faces.collect()).unwrap()
+}
+
+/// What does not touch in the input has no vertices in one place after it, either: whoever welds them would join two parts.
+#[test]
+fn no_edge_is_split_where_another_vertex_lies() {
+    let places = |r: &Refined| r.mesh.positions().iter().map(|&p| mesh_core::place(p)).collect::<std::collections::BTreeSet<_>>();
+    for beside in [0.0, 0.25, 1.0] {
+        let mesh = box_on_a_box(beside);
+        let refined = refined(&mesh, 0.6, &[]);
+        check(&mesh, &refined);
+        assert_eq!(places(&refined).len(), refined.mesh.n_vertices(), "{beside}");
+    }
+}
+
+/// Two sheets that touch along an edge still do so at every new vertex there.
+#[test]
+fn sides_of_one_edge_are_split_in_the_same_places() {
+    let corners = [[0., 0., 0.], [4., 0., 0.], [2., 3., 0.], [0., 0., 0.], [4., 0., 0.], [2., 0., 3.]];
+    let mesh = TriMesh::new(corners.map(DVec3::from).to_vec(), vec![[0, 1, 2], [4, 3, 5]]).unwrap();
+    let refined = refined(&mesh, 0.6, &[]);
+    let on_edge = |p: &&DVec3| p.y == 0.0 && p.z == 0.0;
+    let mut places: Vec<_> = refined.mesh.positions().iter().filter(on_edge).map(|&p| mesh_core::place(p)).collect();
+    let n = places.len();
+    places.sort_unstable();
+    places.dedup();
+    assert!(n >= 14 && 2 * places.len() == n, "{n} {}", places.len());
+}

@@ -330,16 +330,27 @@ fn unfolded_area<'a>(triangles: impl IntoIterator<Item = &'a [DVec2; 3]>) -> Opt
     triangles.into_iter().map(area).sum()
 }
 
+/// A point that lies this deep inside a triangle lies in no other one that does not overlap it, whatever rounding does.
+const WELL_INSIDE: f64 = 1e-9;
+
 /// The triangle that holds `p` (or comes nearest to), and the barycentric coordinates of `p` in it, clamped. `otherwise` without triangles.
 fn containing<'a>(
     triangles: impl Iterator<Item = (MapFaceId, &'a [DVec2; 3])>,
     p: DVec2,
     otherwise: MapFaceId,
 ) -> (MapFaceId, DVec3) {
-    let (face, w) = triangles
-        .map(|(f, t)| (f, flat_barycentric(t, p)))
-        .max_by(|a, b| depth(a.1).total_cmp(&depth(b.1)).then(b.0.cmp(&a.0)))
-        .unwrap_or((otherwise, DVec3::ONE));
+    let mut deepest: Option<(f64, MapFaceId, DVec3)> = None;
+    for (f, t) in triangles {
+        let w = flat_barycentric(t, p);
+        let depth = depth(w);
+        if deepest.is_none_or(|(most, g, _)| depth > most || (depth == most && f < g)) {
+            deepest = Some((depth, f, w));
+        }
+        if depth > WELL_INSIDE {
+            break;
+        }
+    }
+    let (_, face, w) = deepest.unwrap_or((0.0, otherwise, DVec3::ONE));
     (face, clamped(w))
 }
 

@@ -1,11 +1,12 @@
 //! [`Candidate`]: what is tried, judged and mended.
 
 use crate::Error;
-use crate::base::{Base, BaseCounts};
+use crate::base::{Base, BaseCounts, BaseStages};
+use crate::raised::Raised;
 use crate::report::SnapCounts;
 use crate::verdict::Verdict;
-use certify::Faults;
-use region_map::Surface;
+use certify::{Faults, Reference, faulty_faces};
+use region_map::{Domain, Surface};
 use relax::Relaxed;
 use std::sync::Arc;
 
@@ -22,8 +23,10 @@ pub(crate) struct Candidate {
     pub(crate) surface: Surface,
     /// The finest level, relaxed.
     pub(crate) relaxed: Relaxed,
-    /// Its triangles that the certificate would refuse.
+    /// Its triangles that the certificate would refuse, raised as they are.
     pub(crate) faults: Faults,
+    /// Vertices that stand off the surface in the end, where some of the triangles have no area on it.
+    pub(crate) raised: Raised,
     /// What the finest level was snapped to.
     pub(crate) snapped: SnapCounts,
     /// Why it was not, though there is something to snap to.
@@ -31,6 +34,29 @@ pub(crate) struct Candidate {
 }
 
 impl Candidate {
+    /// The base mesh of some stages with its finest level relaxed, judged.
+    pub(crate) fn new(input: &Reference, stages: &BaseStages, relaxed: Relaxed) -> Self {
+        let BaseStages { surface, base, counts, .. } = stages;
+        let (raised, faults) = judged(input, surface, &relaxed.domain);
+        Self {
+            base: base.clone(),
+            counts: counts.clone(),
+            base_surface: stages.base_surface().clone(),
+            surface: surface.clone(),
+            relaxed,
+            faults,
+            raised,
+            snapped: SnapCounts::default(),
+            unsnapped: None,
+        }
+    }
+
+    /// The same base mesh with another finest level over `surface`, judged.
+    pub(crate) fn with(self, input: &Reference, surface: Surface, relaxed: Relaxed) -> Self {
+        let (raised, faults) = judged(input, &surface, &relaxed.domain);
+        Self { surface, relaxed, faults, raised, ..self }
+    }
+
     /// How many triangles the certificate would refuse.
     pub(crate) fn n_faults(&self) -> usize {
         self.faults.faces().len()
@@ -53,4 +79,9 @@ impl Candidate {
     pub(crate) fn verdict(&self) -> Verdict {
         Verdict::Faulty { faults: self.n_faults(), triangles: self.n_triangles() }
     }
+}
+
+/// What the certificate would refuse of a finest level, once the vertices are raised that had better be.
+fn judged(input: &Reference, surface: &Surface, domain: &Domain) -> (Raised, Faults) {
+    Raised::new(input, surface, domain, faulty_faces(input, &domain.mesh))
 }

@@ -23,6 +23,7 @@ mod goal;
 mod input;
 mod options;
 mod progress;
+mod raised;
 mod relaxation;
 mod remesh;
 mod remeshed;

@@ -11,6 +11,8 @@ const VALENCE_COST: f64 = 0.12;
 const FOLD_COST: f64 = 2.0;
 /// Cost of a triangle with a straight corner: above two of the worst shapes, so that no flip makes one to mend a needle.
 const STRAIGHT_COST: f64 = 300.0;
+/// The cost of a flat pair of equilateral triangles.
+const LEAST_PAIR_COST: f64 = 2.0;
 /// Cosine of the angle between two arcs beyond which a triangle's corner between them counts as straight: 150 degrees.
 const STRAIGHT_COSINE: f64 = -0.866;
 
@@ -20,25 +22,28 @@ pub(crate) fn is_folded(editor: &Editor<'_>, corners: [VertexId; 3]) -> bool {
     faces.any(|f| signed_quality(editor.triangle(&f), f.normal) <= 0.0)
 }
 
-/// What the cost falls by when the edge is flipped; negative infinity where it can't be.
+/// What the cost falls by when the edge is flipped; negative infinity where it can't be, or would not fall.
 pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
     let [Some((f, c)), Some((g, d))] = editor.faces_beside(a, b) else { return f64::NEG_INFINITY };
-    if editor.span(a, b).is_some() || c == d || editor.is_edge(c, d) || editor.valence(a) <= 3 || editor.valence(b) <= 3 {
+    if editor.span(a, b).is_some() || c == d || editor.valence(a) <= 3 || editor.valence(b) <= 3 {
         return f64::NEG_INFINITY;
     }
-    let normal = (f.normal + g.normal).normalize_or_zero();
     let before = pair_cost(editor, ([a, b, c], f.normal), ([b, a, d], g.normal));
-    let after = pair_cost(editor, ([a, d, c], normal), ([d, b, c], normal));
     let valence_gain = |v: VertexId, change: f64| {
         let excess = editor.valence(v) as f64 - ideal_valence(editor, v);
         excess.powi(2) - (excess + change).powi(2)
     };
     let valences = valence_gain(a, -1.0) + valence_gain(b, -1.0) + valence_gain(c, 1.0) + valence_gain(d, 1.0);
+    // Most flips are ruled out by the two triangles that are there.
+    if before - LEAST_PAIR_COST + VALENCE_COST * valences <= 0.0 || editor.is_edge(c, d) {
+        return f64::NEG_INFINITY;
+    }
+    let normal = (f.normal + g.normal).normalize_or_zero();
+    let after = pair_cost(editor, ([a, d, c], normal), ([d, b, c], normal));
     before - after + VALENCE_COST * valences
 }
 
-/// What two neighbouring triangles cost: their inverse mean ratios, their angle, and their straight corners. 2 for a flat pair of
-/// equilateral ones.
+/// What two neighbouring triangles cost: their inverse mean ratios, their angle, and their straight corners.
 fn pair_cost(editor: &Editor<'_>, s: ([VertexId; 3], DVec3), t: ([VertexId; 3], DVec3)) -> f64 {
     let [p, q] = [s.0, t.0].map(|f| f.map(|v| editor.position(v)));
     let fold = 1.0 - mesh_core::normal(p).dot(mesh_core::normal(q));
@@ -46,13 +51,14 @@ fn pair_cost(editor: &Editor<'_>, s: ([VertexId; 3], DVec3), t: ([VertexId; 3], 
     inverse_mean_ratio(p, s.1) + inverse_mean_ratio(q, t.1) + FOLD_COST * fold + STRAIGHT_COST * straight as f64
 }
 
-/// True for a triangle with a straight corner: two of its edges are on arcs that go on nearly straight at their common vertex. However
-/// good the base triangle looks: subdivided along the arcs, its corner there opens to 180 degrees.
+/// True for a triangle with a straight corner: two of its edges are on arcs that go on nearly straight at their common vertex, or on one arc: its
+/// vertex slides along that, and out of any bend. However good the base triangle looks: subdivided along the arcs, its corner there opens to
+/// 180 degrees.
 pub(crate) fn has_straight_corner(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
     (0..3).any(|i| {
         let [v, next, last] = [0, 1, 2].map(|k| face[(i + k) % 3]);
         match (editor.arc_direction(v, next), editor.arc_direction(v, last)) {
-            (Some(a), Some(b)) => a.dot(b) < STRAIGHT_COSINE,
+            (Some(a), Some(b)) => matches!(editor.attachment(v), Attachment::Arc { .. }) || a.dot(b) < STRAIGHT_COSINE,
             _ => false,
         }
     })

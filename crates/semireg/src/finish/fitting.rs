@@ -2,13 +2,14 @@
 
 use crate::attempt::Remedy;
 use crate::candidate::Candidate;
+use crate::raised::Raised;
 use crate::run::Run;
 use crate::verdict::Verdict;
 use crate::{Error, Options};
 use certify::{Certificate, Reference};
 use fit::{FitReport, Fitted};
-use mesh_core::{FaceId, IdVec, TriMesh, VertexId};
-use region_map::Domain;
+use mesh_core::{IdVec, TriMesh, VertexId};
+use region_map::{Domain, Surface};
 use std::time::Instant;
 
 /// So often the fit is tried, each time with the triangles held that it turned over before.
@@ -32,14 +33,18 @@ pub(super) fn certified(
     run: &mut Run,
     warnings: &mut Vec<String>,
 ) -> Result<Certified, Error> {
-    let mut held: Vec<FaceId> = Vec::new();
+    let raised = &candidate.raised;
+    // The triangles at raised vertices are judged as they are.
+    let mut held = raised.faces(&candidate.relaxed.domain);
     let mut left_out = None;
     let tries = if options.fit.is_some() { TRIES } else { 0 };
     for number in 0..tries {
         let Some(fit_options) = &options.fit else { break };
         let begun = Instant::now();
         let fitted = run.stage("fit", || fit::fit_holding(&candidate.surface, &candidate.relaxed.domain, &held, fit_options))?;
-        let Fitted { domain, offsets, report } = fitted;
+        let Fitted { domain, offsets, mut report } = fitted;
+        report.max_offset = report.max_offset.max(raised.greatest());
+        let (domain, offsets) = with_raised(raised, &candidate.surface, domain, offsets);
         let certificate = certificate(input, &domain.mesh, options, run)?;
         let Some(failure) = certificate.failures().first().filter(|_| report.used) else {
             return passed(Certified { domain, offsets, fit: Some(report), certificate });
@@ -54,8 +59,9 @@ pub(super) fn certified(
     }
     let domain = candidate.relaxed.domain.clone();
     let begun = Instant::now();
-    let certificate = certificate(input, &domain.mesh, options, run)?;
     let offsets = IdVec::filled(0.0, domain.mesh.n_vertices());
+    let (domain, offsets) = with_raised(raised, &candidate.surface, domain, offsets);
+    let certificate = certificate(input, &domain.mesh, options, run)?;
     let fit = options.fit.as_ref().map(|_| FitReport::default());
     let certified = passed(Certified { domain, offsets, fit, certificate })?;
     if let Some(warning) = left_out {
@@ -63,6 +69,17 @@ pub(super) fn certified(
         warnings.push(warning);
     }
     Ok(certified)
+}
+
+/// A domain and its offsets, with raised vertices that were held.
+fn with_raised(
+    raised: &Raised,
+    surface: &Surface,
+    domain: Domain,
+    mut offsets: IdVec<VertexId, f64>,
+) -> (Domain, IdVec<VertexId, f64>) {
+    raised.offsets().for_each(|(v, offset)| offsets[v] = offset);
+    (Domain { mesh: raised.mesh(surface, &domain), ..domain }, offsets)
 }
 
 fn certificate(input: &Reference, mesh: &TriMesh, options: &Options, run: &mut Run) -> Result<Certificate, Error> {
@@ -86,6 +103,7 @@ mod tests {
     use crate::rescue::PLAN;
     use certify::{Faults, faulty_faces};
     use glam::DVec3;
+    use mesh_core::FaceId;
 
     /// A sphere's finest level, relaxed.
     fn sphere(options: &Options, run: &mut Run) -> Candidate {

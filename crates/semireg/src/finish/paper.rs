@@ -7,11 +7,9 @@ use crate::candidate::Candidate;
 use crate::input::Input;
 use crate::relaxation::PaperOptions;
 use crate::remeshed::Remeshed;
-use crate::report::SnapCounts;
 use crate::rescue::mended;
 use crate::run::Run;
 use crate::{Error, Options};
-use certify::faulty_faces;
 use project::Projected;
 use relax::{Quality, RelaxReport, Relaxed};
 use subdiv::SubdivDomain;
@@ -65,20 +63,7 @@ impl Finest<'_> {
         let [start, after_quadric] = moved.ar_mean.map(quality);
         let end = Quality { inverted: inverted.len(), ..after_quadric };
         let report = RelaxReport { start, after_quadric, end, quadric_iterations: moved.iterations, shape_steps: 0 };
-        Ok((first, self.candidate(Relaxed { domain: second, inverted, report })))
-    }
-
-    fn candidate(&self, relaxed: Relaxed) -> Candidate {
-        let BaseStages { surface, base, counts, .. } = self.stages;
-        Candidate {
-            base: base.clone(),
-            counts: counts.clone(),
-            base_surface: self.stages.base_surface().clone(),
-            surface: surface.clone(),
-            faults: faulty_faces(&self.input.reference, &relaxed.domain.mesh),
-            relaxed,
-            snapped: SnapCounts::default(),
-            unsnapped: None,
-        }
+        let relaxed = Relaxed { domain: second, inverted, report };
+        Ok((first, Candidate::new(&self.input.reference, self.stages, relaxed)))
     }
 }

@@ -4,11 +4,9 @@ use super::levels::{Finest, relaxed_levels};
 use crate::base::BaseStages;
 use crate::candidate::Candidate;
 use crate::input::Input;
-use crate::report::SnapCounts;
 use crate::rescue::NextStage;
 use crate::run::Run;
 use crate::{Error, Options};
-use certify::faulty_faces;
 use mesh_core::TriMesh;
 use project::ProjectReport;
 
@@ -26,21 +24,10 @@ pub(super) struct Placed {
 
 /// Subdivides a base mesh, projects and relaxes its finest level. Fails early where too much of it is folded.
 pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Placed, Error> {
-    let BaseStages { surface, base, .. } = stages;
-    let subdivided = run.stage("subdivide", || subdiv::subdivide(base.domain(), options.levels()))?;
+    let subdivided = run.stage("subdivide", || subdiv::subdivide(stages.base.domain(), options.levels()))?;
     let Finest { projected, relaxed } = relaxed_levels(input, stages, options, run)?;
     let n_triangles = relaxed.domain.mesh.n_faces();
     NextStage::Mend.is_worth(relaxed.inverted.len(), n_triangles)?;
-    let faults = faulty_faces(&input.reference, &relaxed.domain.mesh);
-    let candidate = Candidate {
-        base: base.clone(),
-        counts: stages.counts.clone(),
-        base_surface: stages.base_surface().clone(),
-        surface: surface.clone(),
-        relaxed,
-        faults,
-        snapped: SnapCounts::default(),
-        unsnapped: None,
-    };
+    let candidate = Candidate::new(&input.reference, stages, relaxed);
     Ok(Placed { subdivided: subdivided.domain.mesh, projected: projected.domain.mesh, project: projected.report, candidate })
 }

@@ -7,7 +7,7 @@ use crate::candidate::Candidate;
 use crate::report::SnapCounts;
 use crate::rescue::on_touching_arcs;
 use crate::run::Run;
-use certify::{Reference, faulty_faces};
+use certify::Reference;
 use mesh_core::{FaceId, HalfedgeId};
 use relax::RelaxOptions;
 use snap::{LetGo, SnapOptions, Snapped};
@@ -80,14 +80,9 @@ fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, optio
     } else {
         relax::relax_around(&snapped.surface, &snapped.domain, &faces_at(snapped), REACH, &options.shape)?
     };
-    let faults = faulty_faces(input, &relaxed.domain.mesh);
-    Ok(Candidate {
-        surface: snapped.surface.clone(),
-        relaxed: relaxed.after(before.relaxed.report),
-        faults,
-        snapped: SnapCounts { bends: snapped.bends.len(), minor_creases: snapped.tracks.len() },
-        ..before.clone()
-    })
+    let relaxed = relaxed.after(before.relaxed.report);
+    let snapped_to = SnapCounts { bends: snapped.bends.len(), minor_creases: snapped.tracks.len() };
+    Ok(Candidate { snapped: snapped_to, ..before.clone() }.with(input, snapped.surface.clone(), relaxed))
 }
 
 /// The triangles at the vertices that were snapped.

@@ -29,6 +29,7 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let candidate = followed(&input.reference, candidate, options, run, finish)?;
     let mut warnings = stages.warnings.clone();
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
+    warnings.extend(candidate.raised.warning(input.reference.diagonal()));
     candidate.check()?;
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
     let certified = certified.map_err(|e| on_its_base(e, stages))?;

@@ -4,7 +4,7 @@ use crate::attempt::EdgeChoice;
 use crate::base::{Base, BaseCounts};
 use crate::candidate::Candidate;
 use crate::{Error, Options};
-use certify::{Reference, faulty_faces};
+use certify::Reference;
 use mesh_core::{FaceId, Id as _, VertexId};
 use region_map::BaseMesh;
 use relax::{Relaxed, relax_around};
@@ -43,8 +43,7 @@ impl<'a> Mender<'a> {
     pub(super) fn relaxed(&self, before: &Candidate, faces: &[FaceId], reach: f64) -> Result<Candidate, Error> {
         let edges = (reach * f64::from(1 << self.options.levels())).max(1.0) as usize;
         let relaxed = relax_around(&before.surface, &before.relaxed.domain, faces, edges, &self.options.relax.shape)?;
-        let faults = faulty_faces(self.input, &relaxed.domain.mesh);
-        Ok(Candidate { relaxed: relaxed.after(before.relaxed.report), faults, ..before.clone() })
+        Ok(before.clone().with(self.input, before.surface.clone(), relaxed.after(before.relaxed.report)))
     }
 
     /// The base mesh bisected under some triangles, and what is around the new vertices relaxed. `None` where it would grow too much, it has

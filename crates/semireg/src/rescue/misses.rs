@@ -7,12 +7,14 @@ use crate::attempt::{EdgeChoice, Remedy};
 use crate::candidate::Candidate;
 use crate::run::Run;
 use crate::{Error, Options};
-use certify::{Reference, SharpEdges, mean_edge};
+use certify::{ACCEPTED_SHARP_COVER, Reference, SharpEdges, mean_edge};
 use mesh_core::FaceId;
 use std::time::Instant;
 
 /// Distances are kept below this share of what is accepted: the measure of a result takes other points than these.
 const MARGIN: f64 = 0.96;
+/// Sharp edges are followed until this share of what may be missing is: for the same reason.
+const MISSING: f64 = 0.5;
 /// Rounds of bisection at most. Each halves the edges under what is missed, and so the distance or better.
 const ROUNDS: usize = 6;
 /// The base mesh grows by this share at most: where more is missed, the whole result is too coarse for the shape.
@@ -21,7 +23,8 @@ const MOST_GROWTH: f64 = 0.5;
 /// Finishes a candidate by `finish`, and refines its base mesh where the result misses the input, as long as that helps. The result that misses
 /// least is kept.
 ///
-/// Only where no number of base vertices is asked for, or a distance is: else that number holds.
+/// Only where no number of base vertices is asked for, or a distance is: else that number holds. Of a result that the certificate refuses nobody
+/// asks what it misses.
 pub(crate) fn followed(
     input: &Reference,
     start: Candidate,
@@ -43,9 +46,9 @@ pub(crate) fn followed(
         missed(input, sharp.as_ref(), candidate, accepted)
     };
     let mut last = missed(&best);
-    let (mut least, most_faults) = (last.badness(), last.n_faults);
+    let mut least = last.badness();
     for _ in 0..ROUNDS {
-        if last.faces.is_empty() {
+        if last.faces.is_empty() || last.n_faults > 0 {
             break;
         }
         let begun = Instant::now();
@@ -56,7 +59,7 @@ pub(crate) fn followed(
         let missed = missed(&finished);
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
-        if missed.n_faults > most_faults || !helps {
+        if missed.n_faults > 0 || !helps {
             break;
         }
         if missed.badness() < least {
@@ -88,8 +91,8 @@ impl Misses {
 fn missed(input: &Reference, sharp: Option<&SharpEdges>, candidate: &Candidate, accepted: f64) -> Misses {
     let mesh = &candidate.relaxed.domain.mesh;
     let far = certify::missed(input, mesh, accepted);
-    let mut faces =
-        [far.faces, sharp.map(|sharp| sharp.missed(mesh)).unwrap_or_default(), certify::new_cuts(input, mesh)].concat();
+    let of_sharp_edges = sharp.map(|sharp| sharp.missed(mesh, 1.0 - MISSING * (1.0 - ACCEPTED_SHARP_COVER)));
+    let mut faces = [far.faces, of_sharp_edges.unwrap_or_default(), certify::new_cuts(input, mesh)].concat();
     faces.sort_unstable();
     faces.dedup();
     Misses { n_faults: candidate.n_faults(), faces, greatest: far.greatest / accepted }

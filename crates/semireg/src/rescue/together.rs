@@ -3,7 +3,7 @@
 use super::mender::Mender;
 use crate::candidate::Candidate;
 use crate::{Error, Options};
-use certify::{Reference, faulty_faces};
+use certify::Reference;
 use glam::DVec3;
 use mesh_core::{IdVec, Place, VertexId, place};
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, RegionMap, Surface};
@@ -107,13 +107,10 @@ pub(crate) fn joined(input: &Reference, before: Candidate, options: &RelaxOption
     let mut positions = relaxed.domain.mesh.positions().clone();
     held.iter().for_each(|&v| positions[v] = places[v]);
     let mesh = relaxed.domain.mesh.with_positions(positions.into_vec()).map_err(RelaxError::from)?;
-    let faults = faulty_faces(input, &mesh);
-    if faults.faces().len() > before.n_faults() {
-        return Ok(before);
-    }
     let domain = Domain { mesh, ..relaxed.domain };
     let relaxed = Relaxed { domain, ..relaxed }.after(before.relaxed.report);
-    Ok(Candidate { relaxed, faults, ..before })
+    let joined = before.clone().with(input, before.surface.clone(), relaxed);
+    Ok(if joined.n_faults() > before.n_faults() { before } else { joined })
 }
 
 /// The domain vertices at corners and on arcs.
