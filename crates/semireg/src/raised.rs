@@ -38,7 +38,7 @@ impl Raised {
         for _ in 0..PASSES {
             let corners: BTreeSet<VertexId> = faulty.iter().flat_map(|&f| domain.mesh.face(f)).collect();
             corners.iter().for_each(|&v| raising.raise(v));
-            faulty = raising.faces_at(corners).filter(|&f| raising.badness(f) > 0.0).collect();
+            faulty = faces_at(domain, corners).into_iter().filter(|&f| raising.badness(f) > 0.0).collect();
             if faulty.is_empty() {
                 break;
             }
@@ -51,8 +51,7 @@ impl Raised {
 
     /// The triangles at raised vertices, in rising order.
     pub(crate) fn faces(&self, domain: &Domain) -> Vec<FaceId> {
-        let faces: BTreeSet<FaceId> = self.0.keys().flat_map(|&v| domain.topology.fan(v)).map(HalfedgeId::face).collect();
-        faces.into_iter().collect()
+        faces_at(domain, self.0.keys().copied()).into_iter().collect()
     }
 
     /// The mesh of a domain with these vertices raised; all of them are at their points of the surface before.
@@ -82,6 +81,11 @@ impl Raised {
     }
 }
 
+/// The triangles at some vertices.
+fn faces_at(domain: &Domain, vertices: impl IntoIterator<Item = VertexId>) -> BTreeSet<FaceId> {
+    vertices.into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face).collect()
+}
+
 /// The normal that a vertex is raised along.
 fn normal(surface: &Surface, domain: &Domain, v: VertexId) -> DVec3 {
     surface.normals().at(domain.region.points[v])
@@ -106,18 +110,12 @@ impl Raising<'_> {
         let mut best = (f64::INFINITY, 0.0);
         for offset in [0.0].into_iter().chain(sizes.flat_map(|size| [size, -size])) {
             self.offsets.insert(v, offset);
-            let badness = self.faces_at([v]).map(|f| self.badness(f)).sum();
+            let badness = faces_at(self.domain, [v]).into_iter().map(|f| self.badness(f)).sum();
             if badness < best.0 {
                 best = (badness, offset);
             }
         }
         self.offsets.insert(v, best.1);
-    }
-
-    fn faces_at(&self, vertices: impl IntoIterator<Item = VertexId>) -> impl Iterator<Item = FaceId> {
-        let faces: BTreeSet<FaceId> =
-            vertices.into_iter().flat_map(|v| self.domain.topology.fan(v)).map(HalfedgeId::face).collect();
-        faces.into_iter()
     }
 
     /// What a triangle lacks in quality, as a share, and one more where it faces against the input. 0 for a sound one.

@@ -37,6 +37,9 @@ pub(crate) fn followed(
         return finish(start, run);
     }
     let mut best = finish(start.clone(), run)?;
+    if best.n_faults() > 0 {
+        return Ok(best);
+    }
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
     let mut now = start;
     let sharp = options.features.finds_creases().then(|| SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh)));
@@ -48,7 +51,7 @@ pub(crate) fn followed(
     let mut last = missed(&best);
     let mut least = last.badness();
     for _ in 0..ROUNDS {
-        if last.faces.is_empty() || last.n_faults > 0 {
+        if last.faces.is_empty() {
             break;
         }
         let begun = Instant::now();
@@ -56,10 +59,13 @@ pub(crate) fn followed(
         let Some(refined) = mender.refined(&now, &last.faces, EdgeChoice::OnArc)? else { break };
         let refined = matched(input, refined, options)?;
         let finished = finish(refined.clone(), run)?;
-        let missed = missed(&finished);
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
+        if finished.n_faults() > 0 {
+            break;
+        }
+        let missed = missed(&finished);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
-        if missed.n_faults > 0 || !helps {
+        if !helps {
             break;
         }
         if missed.badness() < least {
@@ -72,8 +78,6 @@ pub(crate) fn followed(
 
 /// Where a result misses the input, or a sharp edge of it, or cuts itself where the input does not.
 struct Misses {
-    /// How many of its triangles the certificate would refuse.
-    n_faults: usize,
     /// The triangles there, in rising order.
     faces: Vec<FaceId>,
     /// The greatest distance over the one that is accepted, 0 where none is greater.
@@ -81,9 +85,9 @@ struct Misses {
 }
 
 impl Misses {
-    /// The less the better: what would be refused first, then distance, then how much of the sharp edges is missing.
-    fn badness(&self) -> (usize, f64, usize) {
-        (self.n_faults, self.greatest, self.faces.len())
+    /// The less the better: distance first, then how much of the sharp edges is missing.
+    fn badness(&self) -> (f64, usize) {
+        (self.greatest, self.faces.len())
     }
 }
 
@@ -95,5 +99,5 @@ fn missed(input: &Reference, sharp: Option<&SharpEdges>, candidate: &Candidate, 
     let mut faces = [far.faces, of_sharp_edges.unwrap_or_default(), certify::new_cuts(input, mesh)].concat();
     faces.sort_unstable();
     faces.dedup();
-    Misses { n_faults: candidate.n_faults(), faces, greatest: far.greatest / accepted }
+    Misses { faces, greatest: far.greatest / accepted }
 }
