@@ -84,8 +84,9 @@ impl Finder<'_> {
         if self.normals[nearest.0].dot(normal) > 0.0 {
             return nearest;
         }
-        let along = self.index.closest_where(centre, |f| self.normals[f].dot(normal) > 0.0);
-        along.filter(|c| c.distance <= nearest.1 + OTHER_SIDE * size).map_or(nearest, |c| (c.face, c.distance))
+        let reach = nearest.1 + OTHER_SIDE * size;
+        let along = self.index.closest_within_where(centre, reach, |f| self.normals[f].dot(normal) > 0.0);
+        along.map_or(nearest, |c| (c.face, c.distance))
     }
 
     /// The faces that are within a distance of a point and connected to the first ones by others that are, without a cut between; the first ones are

@@ -12,6 +12,7 @@ use crate::placement::Placement;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id as _, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
+use rustc_hash::FxHashMap;
 
 /// Triangles worse than this (AR, negative when folded) are mended. More mends more than folds, and takes longer.
 const SOUND: f64 = 0.02;
@@ -68,11 +69,13 @@ impl<'a> Mender<'a> {
 
     /// Mends these folds, and those that come of it.
     fn mend(&self, sight: &Sight, placement: &mut Placement, mut folds: Vec<FaceId>) {
+        let mut tries = Tries::default();
         for _ in 0..ROUNDS {
             if folds.is_empty() || folds.len() as f64 > self.most || self.domain.is_interrupted() {
                 return;
             }
-            let moved: Vec<VertexId> = self.domain.around(&folds).into_iter().filter(|&v| sight.improve(placement, v)).collect();
+            let improves = |v: &VertexId| tries.is_worth_one(self.domain, *v) && tries.noted(*v, sight.improve(placement, *v));
+            let moved: Vec<VertexId> = self.domain.around(&folds).into_iter().filter(improves).collect();
             if moved.is_empty() {
                 return;
             }
@@ -82,6 +85,32 @@ impl<'a> Mender<'a> {
             folds.extend(sight.folds(placement, changed));
             folds.sort_unstable();
         }
+    }
+}
+
+/// What was tried, and what has moved. Where nothing around a vertex has moved since it was tried it would stay once more.
+#[derive(Default)]
+struct Tries {
+    clock: usize,
+    tried: FxHashMap<VertexId, usize>,
+    moved: FxHashMap<VertexId, usize>,
+}
+
+impl Tries {
+    /// Whether a vertex was not tried, or it or one of its neighbours has moved since then.
+    fn is_worth_one(&self, domain: &MovableDomain<'_>, v: VertexId) -> bool {
+        let Some(tried) = self.tried.get(&v) else { return true };
+        domain.topology.one_ring(v).chain([v]).any(|w| self.moved.get(&w).is_some_and(|moved| moved >= tried))
+    }
+
+    /// Takes that a vertex was tried, and whether it has moved. Returns that.
+    fn noted(&mut self, v: VertexId, has_moved: bool) -> bool {
+        self.clock += 1;
+        self.tried.insert(v, self.clock);
+        if has_moved {
+            self.moved.insert(v, self.clock);
+        }
+        has_moved
     }
 }
 
@@ -108,14 +137,15 @@ impl Sight<'_> {
             return false;
         }
         let start = placement[v];
-        let (mut best, mut best_place) = (self.score(placement, v), None);
+        let (mut best, mut best_place) = (self.score(placement, v, f64::NEG_INFINITY), None);
         for way in self.ways(placement, v, &start) {
             placement.move_to(v, start);
             let placed = self.domain.displaced(placement, v, way);
             placement.move_to(v, placed);
             // What the surface says can only lower the score, and takes longest to ask.
-            if self.score_by_corners(placement, v) > best {
-                let score = self.score(placement, v);
+            let worst = best.map_or(f64::NEG_INFINITY, |(worst, _)| worst);
+            if self.score_by_corners(placement, v, worst) > best {
+                let score = self.score(placement, v, worst);
                 if score > best {
                     (best, best_place) = (score, Some(placed));
                 }
@@ -140,18 +170,23 @@ impl Sight<'_> {
         std::iter::once(ring.iter().sum::<DVec3>() / n).chain(around).collect()
     }
 
-    /// The score of a vertex, as far as the normals at the corners of its triangles tell.
-    fn score_by_corners(&self, placement: &Placement, v: VertexId) -> Score {
-        self.worst_and_sum(v, |f| signed_quality(self.domain, placement, f))
+    /// The score of a vertex, as far as the normals at the corners of its triangles tell. `None`, which is less than any score, where one of the
+    /// triangles is worse than `worst`: nobody needs to know the others then.
+    fn score_by_corners(&self, placement: &Placement, v: VertexId, worst: f64) -> Option<Score> {
+        self.worst_and_sum(v, worst, |f| signed_quality(self.domain, placement, f))
     }
 
-    fn score(&self, placement: &Placement, v: VertexId) -> Score {
-        self.worst_and_sum(v, |f| self.in_sight_of_surface(placement, f, signed_quality(self.domain, placement, f)))
+    /// The score of a vertex; `None` as above.
+    fn score(&self, placement: &Placement, v: VertexId, worst: f64) -> Option<Score> {
+        self.worst_and_sum(v, worst, |f| self.in_sight_of_surface(placement, f, signed_quality(self.domain, placement, f)))
     }
 
-    fn worst_and_sum(&self, v: VertexId, quality: impl Fn(FaceId) -> f64) -> Score {
-        let faces = self.domain.topology.fan(v).map(HalfedgeId::face);
-        faces.map(quality).fold((f64::INFINITY, 0.0), |(worst, sum), q| (q.min(worst), sum + q))
+    fn worst_and_sum(&self, v: VertexId, worst: f64, quality: impl Fn(FaceId) -> f64) -> Option<Score> {
+        let mut faces = self.domain.topology.fan(v).map(HalfedgeId::face);
+        faces.try_fold((f64::INFINITY, 0.0), |(least, sum), f| {
+            let q = quality(f);
+            (q >= worst).then(|| (q.min(least), sum + q))
+        })
     }
 
     /// The quality, made negative where the triangle faces against the surface nearest to its middle: it bridges a slit.
@@ -173,7 +208,7 @@ impl Sight<'_> {
     /// Is there another sheet in the same place that does not oppose?
     fn touches(&self, middle: DVec3, distance: f64, opposes: impl Fn(FaceId) -> bool) -> bool {
         let reach = distance + SHEET_DISTANCE * self.diagonal;
-        self.index.closest_where(middle, |g| !opposes(g)).is_some_and(|other| other.distance <= reach)
+        self.index.closest_within_where(middle, reach, |g| !opposes(g)).is_some()
     }
 }
 

@@ -43,7 +43,8 @@ impl<T> Best<T> {
         if can_other_help { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
-    /// The best result with the warnings of all tries. Without one, a fault of ours if there was any, else the first failure.
+    /// The best result with the warnings of all tries. Without one, a fault of ours if there was any, else the failure that came nearest to a result,
+    /// the first of equals.
     ///
     /// A certified result is never dropped for what failed after it, unless the caller has ended the run.
     pub(crate) fn end(mut self) -> Result<(T, Vec<String>), Error> {
@@ -54,10 +55,20 @@ impl<T> Best<T> {
             return Ok((result, self.warnings));
         }
         let fault = self.failures.iter().position(Error::is_internal);
-        Err(match fault {
+        let nearest =
+            || (0..self.failures.len()).min_by(|&i, &j| missing(&self.failures[i]).total_cmp(&missing(&self.failures[j])));
+        Err(match fault.or_else(nearest) {
             Some(i) => self.failures.swap_remove(i),
-            None => self.failures.into_iter().next().unwrap_or(Error::NotCertified("nothing was tried".into())),
+            None => Error::NotCertified("nothing was tried".into()),
         })
+    }
+}
+
+/// How far a failure is from a result: the share of the triangles that were folded, 1 where there were none.
+fn missing(error: &Error) -> f64 {
+    match *error {
+        Error::Folded { folded, triangles } => folded as f64 / triangles.max(1) as f64,
+        _ => 1.0,
     }
 }
 
@@ -112,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_result_the_first_failure_is_told_or_a_fault_of_ours() {
+    fn without_a_result_the_nearest_failure_is_told_or_a_fault_of_ours() {
         let ends = |errors: Vec<Error>| {
             let mut best = Best::<()>::new();
             for error in errors {
@@ -121,6 +132,8 @@ mod tests {
             best.end().unwrap_err()
         };
         assert!(matches!(ends(vec![FOLDED, TOO_LARGE]), Error::Folded { .. }));
+        let nearer = Error::Folded { folded: 4, triangles: 1_000 };
+        assert!(matches!(ends(vec![FOLDED, nearer, TOO_LARGE]), Error::Folded { folded: 4, .. }));
         assert!(matches!(ends(vec![TOO_LARGE]), Error::TooLarge { .. }));
         let fault = || Error::Fit(fit::FitError::NoFace(mesh_core::FaceId(0)));
         assert!(matches!(ends(vec![FOLDED, fault()]), Error::Fit(_)));

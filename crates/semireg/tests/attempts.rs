@@ -1,6 +1,7 @@
 //! What is tried on the way to a result, what is told of it, and how a caller follows and ends a run.
 
-use mesh_core::TriMesh;
+use glam::DVec3;
+use mesh_core::{Soup, TriMesh, VertexId};
 use semireg::{Error, Options, Progress, Remedy, Remeshed, Verdict, Way, remesh, remesh_with};
 use std::ops::ControlFlow;
 
@@ -33,6 +34,33 @@ fn the_last_folds_are_mended_in_their_places() {
     // The same base mesh went through to the end.
     let bases: Vec<_> = report.attempts.iter().filter(|a| a.remedy.makes_a_base()).collect();
     assert!(matches!(bases[..], [only] if only.remedy == Remedy::AsAsked && only.verdict.is_certified()), "{bases:?}");
+}
+
+/// A hollow ball whose wall is thin on one side. The chords there are farther from their own sheet than the other one is.
+fn hollow_ball(wall: f64, hollow: f64) -> Soup {
+    let ball = fixtures::icosphere(16);
+    let outer = ball.positions().iter().copied();
+    let inner = ball.positions().iter().map(|p| hollow * *p + DVec3::X * (1.0 - hollow - wall));
+    let n = ball.n_vertices() as u32;
+    let faces = ball.faces().iter().map(|f| f.map(|v| v.0));
+    let turned = faces.clone().map(|[a, b, c]| [a + n, c + n, b + n]);
+    Soup { positions: outer.chain(inner).collect(), triangles: faces.chain(turned).collect() }
+}
+
+/// Where two sheets nearly touch many triangles count as folded, which are none: the base mesh gets vertices there, and nowhere else.
+#[test]
+fn triangles_get_smaller_where_sheets_nearly_touch() {
+    let asked = 100;
+    let Remeshed { report, mesh, .. } = remesh(&hollow_ball(0.001, 0.95), &options(asked, 2)).unwrap();
+    let bisected = report.attempts.iter().filter(|a| matches!(a.remedy, Remedy::BisectBase(_))).count();
+    assert!(bisected > 0, "{:?}", report.attempts);
+    assert!((asked + 1..asked * 5 / 4).contains(&report.base.made), "{:?}", report.base);
+    let mean_length = |near: bool| {
+        let is_there = |f: &&[VertexId; 3]| (f.iter().map(|&v| mesh.position(v).x).sum::<f64>() > 2.9) == near;
+        let edges: Vec<f64> = mesh.faces().iter().filter(is_there).map(|f| mesh.distance(f[0], f[1])).collect();
+        edges.iter().sum::<f64>() / edges.len() as f64
+    };
+    assert!(mean_length(true) < 0.75 * mean_length(false), "{} {}", mean_length(true), mean_length(false));
 }
 
 #[test]

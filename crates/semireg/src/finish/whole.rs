@@ -19,8 +19,8 @@ use project::ProjectReport;
 /// Makes the finest level of a base mesh. Nothing is returned that the certificate refuses.
 pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let Placed { subdivided, projected, project, candidate } = placed(input, stages, options, run)?;
-    let candidate = mended(&input.reference, candidate, options, run)?;
     let candidate = matched(&input.reference, candidate, options)?;
+    let candidate = mended(&input.reference, candidate, options, run)?;
     NextStage::Snap.is_worth(candidate.n_faults(), candidate.n_triangles())?;
     let finish = |candidate, run: &mut Run| {
         let snapped = snapped(&input.reference, candidate, &options.relax, run);

@@ -2,6 +2,7 @@
 //! and nowhere else.
 
 use super::mender::Mender;
+use super::places::mended;
 use super::together::matched;
 use crate::attempt::{EdgeChoice, Remedy};
 use crate::candidate::Candidate;
@@ -57,7 +58,7 @@ pub(crate) fn followed(
         let begun = Instant::now();
         // The triangles of the finished candidate are those of the one before, in other places.
         let Some(refined) = mender.refined(&now, &last.faces, EdgeChoice::OnArc)? else { break };
-        let refined = matched(input, refined, options)?;
+        let refined = mended(input, matched(input, refined, options)?, options, run)?;
         let finished = finish(refined.clone(), run)?;
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
         if finished.n_faults() > 0 {

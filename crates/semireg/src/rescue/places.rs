@@ -1,4 +1,4 @@
-//! Single places with faulty triangles: relaxed once more on their own, and on a base mesh with a few more vertices under them.
+//! Places with faulty triangles: relaxed once more on their own, and on a base mesh with more vertices under them.
 
 use super::mender::Mender;
 use crate::attempt::{EdgeChoice, Remedy};
@@ -9,44 +9,77 @@ use certify::{Faults, Reference};
 use mesh_core::{FaceId, Topology};
 use std::time::Instant;
 
-/// What is tried at most. Most places come free at the first or second try, without a new vertex.
+/// What is tried at most, where few triangles are faulty. Most places come free at the first or second try, without a new vertex.
 const MOST_TRIES: usize = 30;
+/// So many faulty triangles more make a try take as long as two.
+const FAULTS_OF_A_TRY: usize = 25;
 /// What is tried in turn, each time from the best there was, until fewer triangles are faulty. Another reach often frees what the first did
-/// not, at no cost in base vertices. At a tip another edge leaves more triangles in the same angle.
-const IN_TURN: [Remedy; 6] = [
-    Remedy::RelaxPlaces(1.0),
-    Remedy::RelaxPlaces(0.5),
-    Remedy::RelaxPlaces(2.0),
-    Remedy::BisectBase(EdgeChoice::Longest),
-    Remedy::BisectBase(EdgeChoice::AtTip),
-    Remedy::BisectBase(EdgeChoice::Shortest),
-];
-/// Where a greater share of the triangles is faulty the base mesh is wrong, not a few of its faces.
-const MOST_FAULTY: f64 = 2e-3;
-/// The base mesh grows by this share at most: more would be another base mesh than the one asked for.
-const MOST_GROWTH: f64 = 0.03;
+/// not, at no cost in base vertices.
+const RELAXATIONS: [Remedy; 3] = [Remedy::RelaxPlaces(1.0), Remedy::RelaxPlaces(0.5), Remedy::RelaxPlaces(2.0)];
+/// What is tried then. At a tip another edge leaves more triangles in the same angle.
+const BISECTIONS: [Remedy; 3] =
+    [Remedy::BisectBase(EdgeChoice::Longest), Remedy::BisectBase(EdgeChoice::AtTip), Remedy::BisectBase(EdgeChoice::Shortest)];
+/// A greater share of faulty triangles is too much for one place after the other.
+const FEW: f64 = 2e-3;
+/// Bisections under all faulty triangles go on while this share of these is left at most. A triangle is half as long in all directions after two.
+const LEFT: f64 = 0.8;
+/// The base mesh grows by this share at most.
+const MOST_GROWTH: f64 = 0.5;
+/// The same where the number of its vertices was asked for: more would be another base mesh than that one.
+const MOST_GROWTH_OF_ASKED: f64 = 0.25;
 
 /// Mends the places of a candidate that the certificate would refuse. Vertices far from them stay where they are. The candidate comes back as
-/// it was where there are none, or so many that the base mesh is wrong; and on a base mesh from elsewhere, which stays as it is.
+/// it was where there are none, and on a base mesh from elsewhere, which stays as it is.
 ///
-/// First the triangles around are relaxed by themselves: among hundreds of thousands a few have little say. Then the base faces under them
-/// are bisected. No vertex of the finest level is lost by that, new ones come in the middle of edges, and so the relaxed places are the
-/// start of the next try.
+/// Where there are many, the base mesh is bisected under all of them at once. Where there are few, the triangles around are relaxed by themselves first: among
+/// hundreds of thousands they have little say. Then the base faces under them are bisected. No vertex of the finest level is lost by that, new ones come
+/// in the middle of edges, and so the relaxed places are the start of the next try.
 pub(crate) fn mended(input: &Reference, start: Candidate, options: &Options, run: &mut Run) -> Result<Candidate, Error> {
-    if options.base_mesh.is_some() || start.n_faults() as f64 > MOST_FAULTY * start.n_triangles() as f64 {
+    if options.base_mesh.is_some() || start.n_faults() == 0 {
         return Ok(start);
     }
-    let mender = Mender::new(input, options, &start, MOST_GROWTH, "a few triangles stay folded");
-    let (mut best, mut hopeless, mut tried) = (start, 0, 0);
-    for _ in 0..MOST_TRIES {
+    let growth = if options.base_vertices.is_some() { MOST_GROWTH_OF_ASKED } else { MOST_GROWTH };
+    let mender = Mender::new(input, options, &start, growth, "some triangles stay folded");
+    let refined = refined_under_all(&mender, start, run)?;
+    if has_few_faults(&refined) { mended_one_by_one(&mender, refined, run) } else { Ok(refined) }
+}
+
+fn has_few_faults(candidate: &Candidate) -> bool {
+    candidate.n_faults() as f64 <= FEW * candidate.n_triangles() as f64
+}
+
+/// Bisects the base mesh under all faulty triangles, until they are few or hardly get fewer.
+///
+/// Most of them must be no folds, but large against the gap between two sheets: another sheet lies nearer to their middle than their own. Finer ones
+/// lie nearer to their own sheet. Where most are folds the base mesh is wrong.
+fn refined_under_all(mender: &Mender<'_>, start: Candidate, run: &mut Run) -> Result<Candidate, Error> {
+    let mut now = start;
+    while !has_few_faults(&now) && !is_mostly_tangled(&now) {
+        let (begun, choice) = (Instant::now(), EdgeChoice::Longest);
+        let Some(next) = mender.refined(&now, &now.faults.faces(), choice)? else { break };
+        run.record(Remedy::BisectBase(choice), None, next.verdict(), begun);
+        if next.n_faults() as f64 > LEFT * now.n_faults() as f64 {
+            break;
+        }
+        now = next;
+    }
+    Ok(now)
+}
+
+/// Mends a few places in turn, each by all that is to be tried.
+fn mended_one_by_one(mender: &Mender<'_>, start: Candidate, run: &mut Run) -> Result<Candidate, Error> {
+    let (mut best, mut hopeless, mut tried, mut spent) = (start, 0, 0, 0);
+    while spent < MOST_TRIES {
         // Groups that all tries have failed on come first.
         let groups = groups(&best.faults, &best.relaxed.domain.topology);
         let Some(faces) = groups.get(hopeless) else { break };
-        let Some(&remedy) = IN_TURN.get(tried) else {
+        let relaxations = if faces.iter().any(|f| is_tangled(&best, f)) { &RELAXATIONS[..] } else { &[] };
+        let Some(&remedy) = relaxations.iter().chain(&BISECTIONS).nth(tried) else {
             (hopeless, tried) = (hopeless + 1, 0);
             continue;
         };
         tried += 1;
+        spent += 1 + faces.len() / FAULTS_OF_A_TRY;
         let begun = Instant::now();
         let tried_now = match remedy {
             Remedy::RelaxPlaces(reach) => mender.relaxed(&best, faces, reach).map(Some),
@@ -63,6 +96,18 @@ pub(crate) fn mended(input: &Reference, start: Candidate, options: &Options, run
         }
     }
     Ok(best)
+}
+
+/// Whether more than half of the faulty triangles are tangled.
+fn is_mostly_tangled(candidate: &Candidate) -> bool {
+    let faces = candidate.faults.faces();
+    2 * faces.iter().filter(|f| is_tangled(candidate, f)).count() > faces.len()
+}
+
+/// Whether a triangle faces against its own sheet, or has no area. All other faulty ones are refused for a sheet beside their own: these a relaxation
+/// seldom frees.
+fn is_tangled(candidate: &Candidate, face: &FaceId) -> bool {
+    candidate.relaxed.inverted.contains(face) || candidate.faults.degenerate.contains(face)
 }
 
 /// What is mended at once: first all, then every cluster by itself, as what frees one may spoil another.
