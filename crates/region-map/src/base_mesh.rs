@@ -61,16 +61,17 @@ impl BaseMesh {
         }
         let mut present = self.map_faces.as_slice().to_vec();
         present.sort_unstable();
-        (0..n).map(|i| self.round_trip(working, &present, spread_point(working, i))).fold(0.0, f64::max)
+        let greatest = (0..n).map(|i| self.round_trip(working, &present, spread_point(working, i))).fold(0.0, f64::max);
+        greatest / working.diagonal()
     }
 
-    /// The same for one point. `present` are the faces of the map that base faces have, in rising order.
+    /// That distance for one point. `present` are the faces of the map that base faces have, in rising order.
     fn round_trip(&self, working: &TriMesh, present: &[MapFaceId], point: SurfacePoint) -> f64 {
         let Some((face, weights)) = self.map.find(point) else { return f64::INFINITY };
         if present.binary_search(&face).is_err() {
             return f64::INFINITY;
         }
-        self.map.locate(face, weights).position(working).distance(point.position(working)) / working.diagonal()
+        self.map.locate(face, weights).position(working).distance(point.position(working))
     }
 }
 

@@ -108,6 +108,7 @@ mod tests {
     use crate::candidate::Candidate;
     use crate::progress::Watch;
     use crate::rescue::PLAN;
+    use mesh_core::{HalfedgeId, VertexId};
 
     /// What is pulled off the surface in the first result gets base vertices; where a number is asked for it holds.
     #[test]
@@ -135,5 +136,39 @@ mod tests {
         assert!((1..=n / 2).contains(&grown) && refined.n_faults() == 0, "{grown}");
         assert!(greatest(&refined) < 0.5 * greatest(&as_asked), "{} {}", greatest(&refined), greatest(&as_asked));
         certify::connectivity(&refined.relaxed.domain.mesh, 2).unwrap();
+    }
+
+    /// Where a finer base mesh folds the input stays missed; what is missed elsewhere is followed all the same.
+    #[test]
+    fn a_place_that_folds_is_left_as_it_is() {
+        let asked = Options { base_vertices: Some(150), levels: Some(2), ..Options::default() };
+        let mut run = Run::new(Watch::default());
+        let input = Input::new(&fixtures::cylinder(0.5, 3.0, 96).to_soup(), &asked, &mut run).unwrap();
+        let mut proposals = Proposals::new(&input, &asked, &PLAN[0].1, 0, &|_, _| Ok(()), &mut run).unwrap();
+        let start = placed(&input, &proposals.next(&mut run).unwrap().unwrap(), &asked, &mut run).unwrap().candidate;
+        let base = start.base.mesh().clone();
+        let vertices = || base.positions().ids();
+        let lowest = vertices().min_by(|&v, &w| base.position(v).z.total_cmp(&base.position(w).z)).unwrap();
+        let highest = vertices().max_by(|&v, &w| base.position(v).z.total_cmp(&base.position(w).z)).unwrap();
+        let is_refined_at = |candidate: &Candidate, v: VertexId| {
+            let new = candidate.base.mesh().positions().iter().skip(base.n_vertices()).copied();
+            new.into_iter().any(|p| p.distance(base.position(v)) < 0.5)
+        };
+        // Both ends are pulled off the surface until they are refined, and the upper one folds then.
+        let pulled = |mut candidate: Candidate, _: &mut Run| {
+            let mut positions = candidate.relaxed.domain.mesh.positions().clone();
+            let ends = [lowest, highest].into_iter().filter(|&v| !is_refined_at(&candidate, v));
+            ends.for_each(|v| positions[v] *= 1.5);
+            if is_refined_at(&candidate, highest) {
+                candidate.faults.flipped.extend(candidate.relaxed.domain.topology.fan(highest).map(HalfedgeId::face).take(1));
+            }
+            candidate.relaxed.domain.mesh = candidate.relaxed.domain.mesh.with_positions(positions.into_vec()).unwrap();
+            Ok(candidate)
+        };
+        let ours = Options { base_vertices: None, ..asked };
+        let followed = followed(&input.reference, start, &ours, &mut run, pulled).unwrap();
+        assert_eq!(followed.n_faults(), 0);
+        let at = [lowest, highest].map(|v| is_refined_at(&followed, v));
+        assert_eq!(at, [true, false]);
     }
 }

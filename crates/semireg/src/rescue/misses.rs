@@ -9,6 +9,7 @@ use crate::candidate::Candidate;
 use crate::run::Run;
 use crate::{Error, Options};
 use certify::{ACCEPTED_SHARP_COVER, Reference, SharpEdges, mean_edge};
+use glam::DVec3;
 use mesh_core::FaceId;
 use std::time::Instant;
 
@@ -16,10 +17,15 @@ use std::time::Instant;
 const MARGIN: f64 = 0.96;
 /// Sharp edges are followed until this share of what may be missing is: for the same reason.
 const MISSING: f64 = 0.5;
+/// Distances that differ by less than this share are the same.
+const AS_FAR: f64 = 0.05;
 /// Rounds of bisection at most. Each halves the edges under what is missed, and so the distance or better.
 const ROUNDS: usize = 6;
 /// The base mesh grows by this share at most: where more is missed, the whole result is too coarse for the shape.
 const MOST_GROWTH: f64 = 0.5;
+/// How far around a place where a finer base mesh has faulty triangles nothing is refined any more, in base edges. Less leaves vertices beside it that
+/// fold it again, more leaves what is missed elsewhere.
+const AROUND: f64 = 2.0;
 
 /// Finishes a candidate by `finish`, and refines its base mesh where the result misses the input, as long as that helps. The result that misses
 /// least is kept.
@@ -51,30 +57,55 @@ pub(crate) fn followed(
     };
     let mut last = missed(&best);
     let mut least = last.badness();
+    let base_edge = f64::from(1 << options.levels()) * mean_edge(&now.relaxed.domain.mesh);
+    let mut spoilt = Spoilt { middles: Vec::new(), reach: AROUND * base_edge };
     for _ in 0..ROUNDS {
-        if last.faces.is_empty() {
+        let faces = spoilt.without_those_near(&now, &last.faces);
+        if faces.is_empty() {
             break;
         }
         let begun = Instant::now();
         // The triangles of the finished candidate are those of the one before, in other places.
-        let Some(refined) = mender.refined(&now, &last.faces, EdgeChoice::OnArc)? else { break };
+        let Some(refined) = mender.refined(&now, &faces, EdgeChoice::OnArc)? else { break };
         let refined = mended(input, matched(input, refined, options)?, options, run)?;
-        let finished = finish(refined.clone(), run)?;
+        let finished = if refined.n_faults() == 0 { finish(refined.clone(), run)? } else { refined.clone() };
         run.record(Remedy::BisectBase(EdgeChoice::OnArc), None, finished.verdict(), begun);
         if finished.n_faults() > 0 {
-            break;
+            spoilt.take(&finished);
+            continue;
         }
         let missed = missed(&finished);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
         if !helps {
             break;
         }
-        if missed.badness() < least {
+        if missed.badness().is_less_than(least) {
             (best, least) = (finished, missed.badness());
         }
         (now, last) = (refined, missed);
     }
     Ok(best)
+}
+
+/// Places where a finer base mesh has faulty triangles: there the input is missed rather than the result refused.
+struct Spoilt {
+    /// The middles of these triangles.
+    middles: Vec<DVec3>,
+    /// How far around them nothing is refined, a length.
+    reach: f64,
+}
+
+impl Spoilt {
+    fn take(&mut self, candidate: &Candidate) {
+        self.middles.extend(candidate.faults.faces().into_iter().map(|f| candidate.relaxed.domain.mesh.centroid(f)));
+    }
+
+    /// Those of some triangles that are in none of these places, in their order.
+    fn without_those_near(&self, candidate: &Candidate, faces: &[FaceId]) -> Vec<FaceId> {
+        let mesh = &candidate.relaxed.domain.mesh;
+        let is_near = |f: FaceId| self.middles.iter().any(|m| m.distance(mesh.centroid(f)) < self.reach);
+        faces.iter().copied().filter(|&f| !is_near(f)).collect()
+    }
 }
 
 /// Where a result misses the input, or a sharp edge of it, or cuts itself where the input does not.
@@ -86,9 +117,24 @@ struct Misses {
 }
 
 impl Misses {
-    /// The less the better: distance first, then how much of the sharp edges is missing.
-    fn badness(&self) -> (f64, usize) {
-        (self.greatest, self.faces.len())
+    fn badness(&self) -> Badness {
+        Badness { greatest: self.greatest, triangles: self.faces.len() }
+    }
+}
+
+/// How bad it is what a result misses.
+#[derive(Clone, Copy)]
+struct Badness {
+    /// The greatest distance over the accepted one.
+    greatest: f64,
+    triangles: usize,
+}
+
+impl Badness {
+    /// Distance first, then how many triangles miss something: of a place that stays as it is the distance changes by rounding alone.
+    fn is_less_than(self, other: Self) -> bool {
+        let is_as_far = (self.greatest - other.greatest).abs() <= AS_FAR * other.greatest;
+        if is_as_far { self.triangles < other.triangles } else { self.greatest < other.greatest }
     }
 }
 
