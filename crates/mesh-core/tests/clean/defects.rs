@@ -123,6 +123,17 @@ fn t_vertices_on_all_edges_of_a_triangle_are_closed() {
     assert_eq!((closed.report.t_vertices, closed.mesh.n_faces(), n_components(&closed), n_loops(&closed)), (3, 10, 1, 1));
 }
 
+/// T-vertices that stay are told of again when the clean mesh is cleaned, and nothing else is.
+#[test]
+fn open_t_vertices_are_told_of_each_time() {
+    let corners = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 1.0, -1.0]];
+    let once = cleaned(&soup(&corners, &[[2, 0, 3], [0, 2, 1], [0, 3, 1]]));
+    let twice = cleaned(&once.mesh.to_soup());
+    assert_eq!(once.mesh, twice.mesh);
+    assert_eq!(twice.report, CleanReport { open_t_vertices: once.report.open_t_vertices, ..CleanReport::default() });
+    assert!(once.report.open_t_vertices > 0);
+}
+
 /// A border that only comes near another one, or leaves it on the way, stays as it is.
 #[test]
 fn borders_that_do_not_run_along_each_other_stay() {

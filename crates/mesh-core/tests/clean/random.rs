@@ -73,7 +73,8 @@ proptest! {
         }
         let twice = clean(&once.mesh.to_soup(), &CleanOptions::default()).unwrap();
         prop_assert_eq!(once.mesh, twice.mesh);
-        prop_assert_eq!(twice.report, CleanReport::default());
+        // T-vertices are told of each time, as they stay.
+        prop_assert_eq!(twice.report, CleanReport { open_t_vertices: once.report.open_t_vertices, ..CleanReport::default() });
     }
 
     #[test]
