@@ -35,7 +35,7 @@ const LARGE: f64 = 50_000.0;
 
 /// Before the relaxation. Measured on large results: those that were certified had .0003 to .0045, those that never were .014 to .03.
 const TO_RELAX: Bound = Bound { small: 0.5, large: 0.01 };
-/// Before single places are mended.
+/// Before places are mended.
 const TO_MEND: Bound = Bound { small: 0.04, large: 0.04 };
 /// Before snapping, which mended up to .032 of small results (brick_small), and of large ones nothing in 15 to 160 s (DamagedHelmet, crank_cse,
 /// 2CylinderEngine).
@@ -106,7 +106,7 @@ fn finest(base_faces: usize, levels: u32) -> u64 {
 pub(crate) enum NextStage {
     /// The relaxation of the finest level.
     Relax,
-    /// The mending of single places.
+    /// The mending of places.
     Mend,
     /// Snapping to bends and minor creases.
     Snap,

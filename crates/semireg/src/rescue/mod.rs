@@ -1,4 +1,4 @@
-//! What is tried where a result is not right at once: the plan, its budget, and what mends single places.
+//! What is tried where a result is not right at once: the plan, its budget, and what mends places.
 
 mod budget;
 mod mender;
