@@ -12,7 +12,7 @@ use crate::placement::Placement;
 use glam::DVec3;
 use mesh_core::{FaceId, HalfedgeId, Id as _, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
-use rustc_hash::FxHashMap;
+use rustc_hash::FxHashSet;
 
 /// Triangles worse than this (AR, negative when folded) are mended. More mends more than folds, and takes longer.
 const SOUND: f64 = 0.02;
@@ -69,13 +69,26 @@ impl<'a> Mender<'a> {
 
     /// Mends these folds, and those that come of it.
     fn mend(&self, sight: &Sight, placement: &mut Placement, mut folds: Vec<FaceId>) {
-        let mut tries = Tries::default();
+        // Vertices that stayed when they were tried. As long as nothing around one moves it would stay once more.
+        let mut settled = FxHashSet::default();
         for _ in 0..ROUNDS {
             if folds.is_empty() || folds.len() as f64 > self.most || self.domain.is_interrupted() {
                 return;
             }
-            let improves = |v: &VertexId| tries.is_worth_one(self.domain, *v) && tries.noted(*v, sight.improve(placement, *v));
-            let moved: Vec<VertexId> = self.domain.around(&folds).into_iter().filter(improves).collect();
+            let mut moved = Vec::new();
+            for v in self.domain.around(&folds) {
+                if settled.contains(&v) {
+                    continue;
+                }
+                if sight.improve(placement, v) {
+                    moved.push(v);
+                    for w in self.domain.topology.one_ring(v) {
+                        settled.remove(&w);
+                    }
+                } else {
+                    settled.insert(v);
+                }
+            }
             if moved.is_empty() {
                 return;
             }
@@ -85,32 +98,6 @@ impl<'a> Mender<'a> {
             folds.extend(sight.folds(placement, changed));
             folds.sort_unstable();
         }
-    }
-}
-
-/// What was tried, and what has moved. Where nothing around a vertex has moved since it was tried it would stay once more.
-#[derive(Default)]
-struct Tries {
-    clock: usize,
-    tried: FxHashMap<VertexId, usize>,
-    moved: FxHashMap<VertexId, usize>,
-}
-
-impl Tries {
-    /// Whether a vertex was not tried, or it or one of its neighbours has moved since then.
-    fn is_worth_one(&self, domain: &MovableDomain<'_>, v: VertexId) -> bool {
-        let Some(tried) = self.tried.get(&v) else { return true };
-        domain.topology.one_ring(v).chain([v]).any(|w| self.moved.get(&w).is_some_and(|moved| moved >= tried))
-    }
-
-    /// Takes that a vertex was tried, and whether it has moved. Returns that.
-    fn noted(&mut self, v: VertexId, has_moved: bool) -> bool {
-        self.clock += 1;
-        self.tried.insert(v, self.clock);
-        if has_moved {
-            self.moved.insert(v, self.clock);
-        }
-        has_moved
     }
 }
 

@@ -95,22 +95,16 @@ fn passed(certified: Certified) -> Result<Certified, Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::place::{Placed, placed};
+    use super::super::place::first_candidate;
     use super::*;
-    use crate::base::Proposals;
-    use crate::input::Input;
     use crate::progress::Watch;
-    use crate::rescue::PLAN;
     use certify::{Faults, faulty_faces};
     use glam::DVec3;
     use mesh_core::FaceId;
 
     /// A sphere's finest level, relaxed.
     fn sphere(options: &Options, run: &mut Run) -> Candidate {
-        let input = Input::new(&fixtures::icosphere(12).to_soup(), options, run).unwrap();
-        let mut proposals = Proposals::new(&input, options, &PLAN[0].1, 0, &|_, _| Ok(()), run).unwrap();
-        let Placed { candidate, .. } = placed(&input, &proposals.next(run).unwrap().unwrap(), options, run).unwrap();
-        candidate
+        first_candidate(&fixtures::icosphere(12), options, run).1
     }
 
     /// A mesh in which a face is a flat tent, with a small triangle for its top that faces inwards.

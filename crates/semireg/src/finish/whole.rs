@@ -103,11 +103,10 @@ pub(super) fn on_its_base(error: Error, stages: &BaseStages) -> Error {
 
 #[cfg(test)]
 mod tests {
+    use super::super::place::first_candidate;
     use super::*;
-    use crate::base::Proposals;
     use crate::candidate::Candidate;
     use crate::progress::Watch;
-    use crate::rescue::PLAN;
     use mesh_core::{HalfedgeId, VertexId};
 
     /// What is pulled off the surface in the first result gets base vertices; where a number is asked for it holds.
@@ -115,9 +114,7 @@ mod tests {
     fn the_base_mesh_is_refined_where_a_result_misses_the_input() {
         let asked = Options { base_vertices: Some(24), levels: Some(2), ..Options::default() };
         let mut run = Run::new(Watch::default());
-        let input = Input::new(&fixtures::cylinder(0.5, 1.5, 96).to_soup(), &asked, &mut run).unwrap();
-        let mut proposals = Proposals::new(&input, &asked, &PLAN[0].1, 0, &|_, _| Ok(()), &mut run).unwrap();
-        let start = placed(&input, &proposals.next(&mut run).unwrap().unwrap(), &asked, &mut run).unwrap().candidate;
+        let (input, start) = first_candidate(&fixtures::cylinder(0.5, 1.5, 96), &asked, &mut run);
         let n = start.base.mesh().n_vertices();
         let pulled = |mut candidate: Candidate, _: &mut Run| {
             if candidate.base.mesh().n_vertices() == n {
@@ -143,9 +140,7 @@ mod tests {
     fn a_place_that_folds_is_left_as_it_is() {
         let asked = Options { base_vertices: Some(150), levels: Some(2), ..Options::default() };
         let mut run = Run::new(Watch::default());
-        let input = Input::new(&fixtures::cylinder(0.5, 3.0, 96).to_soup(), &asked, &mut run).unwrap();
-        let mut proposals = Proposals::new(&input, &asked, &PLAN[0].1, 0, &|_, _| Ok(()), &mut run).unwrap();
-        let start = placed(&input, &proposals.next(&mut run).unwrap().unwrap(), &asked, &mut run).unwrap().candidate;
+        let (input, start) = first_candidate(&fixtures::cylinder(0.5, 3.0, 96), &asked, &mut run);
         let base = start.base.mesh().clone();
         let vertices = || base.positions().ids();
         let lowest = vertices().min_by(|&v, &w| base.position(v).z.total_cmp(&base.position(w).z)).unwrap();
