@@ -219,6 +219,25 @@ fn the_ears_of_a_polygon_have_straight_corners() {
     assert_eq!(straight, [true, false, false, true]);
 }
 
+/// Two arcs leave a corner 30 degrees apart. A sheet that goes from one to the other over a peak opens by far more than a flat one.
+#[test]
+fn a_corner_opens_as_far_as_the_surface_does() {
+    let ray = |degrees: f64, height: f64| glam::DVec2::from_angle(degrees.to_radians()).extend(height);
+    let is_straight = |height: f64| {
+        let ring = [ray(0.0, 0.0), ray(10.0, height), ray(20.0, height), ray(30.0, 0.0)];
+        let positions = std::iter::once(glam::DVec3::ZERO).chain(ring).collect();
+        let mesh = mesh_core::TriMesh::new(positions, (1..4).map(|i| [0, i, i + 1]).collect()).unwrap();
+        let smooth = region_map::Surface::smooth(mesh).unwrap();
+        let topology = smooth.topology();
+        let kinds = topology.edge_ids().map(|e| topology.is_border_edge(e).then_some(region_map::ArcKind::Border)).collect();
+        let network = region_map::Network::trace(smooth.mesh(), topology, &kinds, |_| true, Vec::new()).unwrap();
+        let surface = smooth.with_network(network).unwrap();
+        let editor = Editor::new(&surface, crate::decimate::identity(&surface).unwrap());
+        crate::improve::has_straight_corner(&editor, [0, 1, 4].map(VertexId))
+    };
+    assert_eq!([0.0, 0.2, 8.0].map(is_straight), [false, false, true]);
+}
+
 #[test]
 fn bisections_keep_all_promises_and_places() {
     for shape in [Shape::cube(), Shape::cylinder(), Shape::sphere(), Shape::torus()] {

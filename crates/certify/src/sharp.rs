@@ -22,12 +22,16 @@ const LEAST_TURN: f64 = 30.0;
 const LEAST_LENGTH: f64 = 0.02;
 /// A point is kept when a crease of the remeshed surface is nearer than this, in diagonals.
 const NEAR: f64 = 2e-3;
+/// A point is on an edge when it is nearer than this, in diagonals: rounding of a point on it is far less.
+const ON: f64 = 1e-9;
 /// Points on all sharp edges.
 const SAMPLES: usize = 20_000;
 
-/// The edges of a mesh that a person sees as sharp, as points along them.
+/// The edges of a mesh that a person sees as sharp.
 #[derive(Clone, Debug)]
 pub struct SharpEdges {
+    segments: Vec<[DVec3; 2]>,
+    /// At equal distances along them.
     points: Vec<DVec3>,
     /// Their length, in the units of the mesh.
     length: f64,
@@ -75,7 +79,19 @@ impl SharpEdges {
         let diagonal = original.diagonal();
         let reach = (REACH * mean_edge).clamp(LEAST_REACH * diagonal, GREATEST_REACH * diagonal);
         let seen = seen(original, reach, LEAST_LENGTH * diagonal);
-        Self { points: points_along(&seen), length: total_length(&seen), diagonal }
+        Self { points: points_along(&seen), length: total_length(&seen), segments: seen, diagonal }
+    }
+
+    /// Which of some segments have their middle on them: of the edges of a refined original those that are parts of them.
+    pub fn hold(&self, segments: &[[DVec3; 2]]) -> Vec<bool> {
+        let Some(index) = segment_index(&self.segments) else { return vec![false; segments.len()] };
+        let is_on = |[a, b]: &[DVec3; 2]| index.closest_within(a.midpoint(*b), ON * self.diagonal).is_some();
+        segments.par_iter().map(is_on).collect()
+    }
+
+    /// No edges.
+    pub fn none() -> Self {
+        Self { segments: Vec::new(), points: Vec::new(), length: 0.0, diagonal: 0.0 }
     }
 
     /// Their length, in the units of the mesh.
@@ -235,6 +251,10 @@ mod tests {
         let share = |remeshed: &TriMesh| sharp.cover(remeshed).unwrap().share;
         assert_eq!(share(&mesh), 1.0);
         assert!((sharp.length() - 20.0).abs() < 1e-9);
+        // Half an edge of it is on it, and an edge that leaves it is not.
+        let [on, across] = [[10.0, 3.0, 0.0], [11.0, 3.0, -1.0]].map(|to| [DVec3::new(10.0, 3.5, 0.0), to.into()]);
+        assert_eq!(sharp.hold(&[on, across]), [true, false]);
+        assert_eq!(SharpEdges::none().hold(&[on]), [false]);
         // A flat surface keeps nothing, one with half of the ridge half of it.
         assert_eq!(share(&strip(20, |_, _| 0.0)), 0.0);
         let half = share(&strip(20, |x, y| if y < 10.5 { roof(x) } else { -20.0 }));

@@ -129,26 +129,29 @@ fn untangled_in_places(
     (Measured::new(mender.domain, placement), steps)
 }
 
-/// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them where they
-/// are.
+/// Optimises the shape of the triangles around some faces, and leaves vertices more than `edges` edges away from them, and those that are `held`, where
+/// they are.
 ///
 /// For the last folds of a relaxed domain: each place is relaxed by itself, as if there were no others. Otherwise as [`relax`],
 /// without the paper's relaxation.
 ///
-/// Fails as [`relax`] does, and for a face that is not in the domain.
+/// Fails as [`relax`] does, and for a face or a held vertex that is not in the domain.
 pub fn relax_around(
     surface: &Surface,
     domain: &Domain,
     faces: &[FaceId],
     edges: usize,
+    held: &[VertexId],
     options: &ShapeOptions,
 ) -> Result<Relaxed, RelaxError> {
     options.check()?;
-    let movable = MovableDomain::new(surface, domain)?;
+    let mut movable = MovableDomain::new(surface, domain)?;
     if let Some(&f) = faces.iter().find(|&&f| movable.topology.faces().get(f).is_none()) {
         return Err(RelaxError::NoSuchFace(f));
     }
+    // A vertex that is held on an arc still has a normal on each side of it.
     let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
+    movable.hold(held)?;
     let start = Quality::of(&placed, &movable);
     let mut placement = placed.into_placement();
     let targets = sheet_targets(&movable, &domain.region.sheet_of_face, &placement);

@@ -135,7 +135,7 @@ proptest! {
         let all_faces = inverted(&surface, &domain);
         let plain = relax(&surface, &domain, &options);
         let holding = relax_holding(&surface, &domain, &held, &options);
-        let around = relax_around(&surface, &domain, &faces, edges, &options.shape);
+        let around = relax_around(&surface, &domain, &faces, edges, &held, &options.shape);
         let keeping = relax_keeping(&surface, &domain, surface.mesh(), base_edge_length, &options);
         let in_space = relax_in_space(&surface, &domain, &options.quadric);
         // Where all is right there is a result.
@@ -159,6 +159,6 @@ fn a_mesh_without_faces_is_relaxed_to_itself() {
     let domain = Domain::identity(&surface);
     let relaxed = relax(&surface, &domain, &RelaxOptions::default()).unwrap();
     assert_eq!((relaxed.domain.mesh.n_faces(), relaxed.inverted.len()), (0, 0));
-    let around = relax_around(&surface, &domain, &[], usize::MAX, &ShapeOptions::default()).unwrap();
+    let around = relax_around(&surface, &domain, &[], usize::MAX, &[], &ShapeOptions::default()).unwrap();
     assert_eq!(around.domain.mesh.n_faces(), 0);
 }

@@ -243,7 +243,7 @@ fn folds_are_relaxed_in_their_place() {
         let faces: Vec<FaceId> = [first, last].iter().flat_map(|&v| bed.domain.topology.fan(v)).map(|h| h.face()).collect();
         let edges = 2;
         let folded = calm.domain.placed(&bed.surface, region).unwrap();
-        let relaxed = relax_around(&bed.surface, &folded, &faces, edges, &ShapeOptions::default()).unwrap();
+        let relaxed = relax_around(&bed.surface, &folded, &faces, edges, &[], &ShapeOptions::default()).unwrap();
         assert!(relaxed.report.start.inverted > 0, "{name}");
         assert_eq!((relaxed.report.end.inverted, relaxed.inverted.len()), (0, 0), "{name}: {:?}", relaxed.report);
         let mut near: std::collections::BTreeSet<VertexId> = faces.iter().flat_map(|&f| bed.domain.topology.face(f)).collect();

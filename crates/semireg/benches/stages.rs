@@ -66,7 +66,7 @@ fn bench(criterion: &mut Criterion, name: &str, soup: &Soup) -> Result<(), Box<d
     group.bench_function("subdivide", |b| b.iter(|| subdiv::subdivide(&base.domain, LEVELS)));
     group.bench_function("project", |b| b.iter(|| project::project(surface, &subdivided.domain, origins, &options.project)));
     group.bench_function("relax", |b| b.iter(|| relax::relax(surface, &projected.domain, &options.relax)));
-    let snapping = || snap::snap(surface, &relaxed.domain, &Default::default(), &Default::default());
+    let snapping = || snap::snap(surface, &relaxed.domain, &Default::default(), &Default::default(), &Default::default());
     group.bench_function("snap", |b| b.iter(snapping));
     group.bench_function("fit", |b| b.iter(|| fit::fit(surface, &relaxed.domain, &fitting)));
     group.bench_function("certify", |b| b.iter(|| certify::certify(&reference, &remeshed.mesh, LEVELS, &Default::default())));

@@ -22,8 +22,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // The domain is the surface and misses nothing.
     let options = SnapOptions { least_depth: 0.0, ..SnapOptions::default() };
-    let snapped = snap(&surface, &Domain::identity(&surface), &LetGo::default(), &options)?;
-    for Track { edges, path } in &snapped.tracks {
+    let snapped = snap(&surface, &Domain::identity(&surface), &Default::default(), &LetGo::default(), &options)?;
+    for Track { edges, path, .. } in &snapped.tracks {
         println!("a crease of {} edges is followed by {} vertices of the domain", edges.len(), path.len());
     }
     println!("arcs: {} before, {} after", surface.network().arcs.len(), snapped.surface.network().arcs.len());

@@ -3,7 +3,7 @@
 use crate::minor::Piece;
 use mesh_core::{IdVec, VertexId};
 use region_map::{ArcSpan, Attachment, Domain, SheetId, Surface};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A piece of a minor crease with the domain vertices that shall lie on it, ends included.
 #[derive(Clone, Debug)]
@@ -68,6 +68,20 @@ impl<'a> Assignment<'a> {
     /// The pieces of minor creases that have a path.
     pub(crate) fn pieces(&self) -> &[FollowedPiece] {
         &self.pieces
+    }
+
+    /// Whether pieces that have a path lead from one vertex of the surface to another.
+    pub(crate) fn leads(&self, from: VertexId, to: VertexId) -> bool {
+        let ends = |followed: &FollowedPiece| match followed.piece.vertices[..] {
+            [first, .., last] => vec![first, last],
+            _ => Vec::new(),
+        };
+        let (mut reached, mut open) = (BTreeSet::from([from]), vec![from]);
+        while let Some(at) = open.pop() {
+            let here = self.pieces.iter().map(ends).filter(|ends| ends.contains(&at));
+            open.extend(here.flatten().filter(|&v| reached.insert(v)));
+        }
+        reached.contains(&to)
     }
 
     /// Is a domain vertex inside this sheet, and not assigned?

@@ -18,7 +18,7 @@
 //! let surface = smooth.with_network(Network { minor: vec![row], ..smooth.network().clone() })?;
 //!
 //! let options = SnapOptions { least_depth: 0.0, ..SnapOptions::default() }; // the domain is the surface and misses nothing
-//! let snapped = snap(&surface, &Domain::identity(&surface), &LetGo::default(), &options)?;
+//! let snapped = snap(&surface, &Domain::identity(&surface), &Default::default(), &LetGo::default(), &options)?;
 //! assert_eq!(snapped.surface.network().arcs.len(), surface.network().arcs.len() + 1);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,6 +1,6 @@
 //! Cuts minor creases in pieces that a path of edges can follow.
 
-use crate::{LetGo, SnapOptions};
+use crate::SnapOptions;
 use mesh_core::{EdgeId, TriMesh, VertexId};
 use region_map::{SheetId, Surface};
 
@@ -20,17 +20,17 @@ pub(crate) struct Piece {
     pub(crate) length: f64,
 }
 
-/// The pieces of a minor crease that edges of this length can follow.
+/// The pieces of a minor crease, of those of its edges that are kept, that edges of this length can follow.
 pub(crate) fn pieces(
     surface: &Surface,
     chain: &[VertexId],
     edge_length: f64,
-    let_go: &LetGo,
+    is_kept: impl Fn(EdgeId) -> bool,
     options: &SnapOptions,
 ) -> Vec<Piece> {
     let breaks = breaks(surface, chain, options);
     let uncut = breaks.windows(2).map(|ends| &chain[ends[0]..=ends[1]]);
-    let is_kept = |v: &[VertexId]| surface.topology().find_edge(v[0], v[1]).is_some_and(|e| !let_go.minor.contains(&e));
+    let is_kept = |v: &[VertexId]| surface.topology().find_edge(v[0], v[1]).is_some_and(&is_kept);
     let pieces: Vec<Piece> = uncut.flat_map(|part| runs(part, is_kept)).filter_map(|run| piece(surface, &run)).collect();
     let can_follow = |i: usize| {
         let piece = &pieces[i];

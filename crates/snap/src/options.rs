@@ -17,6 +17,11 @@ pub struct SnapOptions {
     /// 2.8 of chinese_lion, 2 of noisy scans. Without it chinese_lion has AR .950, mean error 8.57e-5 and cover .67, with it
     /// .961, 8.68e-5 and .59; pensatore and casting stay the same, the noisy fixture organic_raw has .934 instead of .921.
     pub least_depth: f64,
+    /// Edges that a person sees as sharp are followed in pieces of this length and more, in mean edge lengths of the domain, whatever their distance from
+    /// the domain. Default 1.
+    pub seen_length: f64,
+    /// A piece of them that turns more than this an edge length (degrees, in the mean) is left. Default 30.
+    pub seen_turn: f64,
     /// Where a minor crease turns by more than this at a vertex (degrees), it is cut in pieces there. Default 50.
     pub sharp_turn: f64,
     /// A triangle beside a bend or piece is poor when its quality (AR) is less than this, and than before. Default 0.3. Measured
@@ -26,6 +31,22 @@ pub struct SnapOptions {
 
 impl Default for SnapOptions {
     fn default() -> Self {
-        Self { bend: 8e-4, least_length: 3.0, most_turn: 15.0, least_depth: 3.0, sharp_turn: 50.0, least_quality: 0.3 }
+        Self {
+            bend: 8e-4,
+            least_length: 3.0,
+            most_turn: 15.0,
+            least_depth: 3.0,
+            seen_length: 1.0,
+            seen_turn: 30.0,
+            sharp_turn: 50.0,
+            least_quality: 0.3,
+        }
+    }
+}
+
+impl SnapOptions {
+    /// The rules for edges that a person sees as sharp, in the place of those for all.
+    pub(crate) fn for_seen(self) -> Self {
+        Self { least_length: self.seen_length, most_turn: self.seen_turn, least_depth: 0.0, ..self }
     }
 }

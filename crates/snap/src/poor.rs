@@ -11,7 +11,8 @@ const MOST_LOSS: f64 = 0.9;
 impl Snapped {
     /// The bends and the halves of pieces of minor creases that came out poor: some triangle beside them has turned over, is in
     /// `refused` or shares a vertex with one that is, or has a quality below the bound in the options and below the worst one
-    /// there before.
+    /// there before. Where nothing is refused, and that holds for edges that are only followed as a person sees them as sharp, they are told of alone: what
+    /// is beside them may be sound without them.
     ///
     /// `before` and `after` are the domain before snapping, and relaxed after it. Fails where one of them has other numbers of
     /// vertices or faces than this domain. What is in `refused` and no face of the domain is passed over.
@@ -32,13 +33,20 @@ impl Snapped {
             star.iter().any(|f| turned(f) || refused.contains(f))
                 || worst(after) < options.least_quality.min(MOST_LOSS * worst(before))
         };
-        let bends = self.bends.iter().filter(|bend| is_poor(&[bend.vertex])).map(|bend| bend.at).collect();
-        let mut minor = BTreeSet::new();
-        for Track { edges, path } in &self.tracks {
-            let ([first, second], [start, end]) = (halves(edges), halves(path));
-            minor.extend(first.iter().filter(|_| is_poor(start)).chain(second.iter().filter(|_| is_poor(end))));
+        let poor_edges = |only_seen: bool| {
+            let mut edges = BTreeSet::new();
+            for Track { edges: of_track, path, .. } in self.tracks.iter().filter(|track| track.only_seen == only_seen) {
+                let ([first, second], [start, end]) = (halves(of_track), halves(path));
+                edges.extend(first.iter().filter(|_| is_poor(start)).chain(second.iter().filter(|_| is_poor(end))));
+            }
+            edges
+        };
+        let only_seen = poor_edges(true);
+        if refused.is_empty() && !only_seen.is_empty() {
+            return Ok(LetGo { minor: only_seen, ..LetGo::default() });
         }
-        Ok(LetGo { bends, minor })
+        let bends = self.bends.iter().filter(|bend| is_poor(&[bend.vertex])).map(|bend| bend.at).collect();
+        Ok(LetGo { bends, minor: only_seen.into_iter().chain(poor_edges(false)).collect() })
     }
 }
 

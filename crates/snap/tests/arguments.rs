@@ -19,12 +19,15 @@ fn grid(n: u32) -> TriMesh {
 fn options() -> impl Strategy<Value = SnapOptions> {
     let any = |default: f64| prop_oneof![3 => Just(default), 1 => Just(0.0), 1 => value()];
     let default = SnapOptions::default();
-    (any(default.bend), any(1.0), any(default.most_turn), any(0.0), any(default.sharp_turn), any(default.least_quality)).prop_map(
-        |(bend, least_length, most_turn, least_depth, sharp_turn, least_quality)| SnapOptions {
+    let of_pieces = (any(1.0), any(default.most_turn), any(0.0), any(default.seen_length), any(default.seen_turn));
+    (any(default.bend), of_pieces, any(default.sharp_turn), any(default.least_quality)).prop_map(
+        |(bend, (least_length, most_turn, least_depth, seen_length, seen_turn), sharp_turn, least_quality)| SnapOptions {
             bend,
             least_length,
             most_turn,
             least_depth,
+            seen_length,
+            seen_turn,
             sharp_turn,
             least_quality,
         },
@@ -56,6 +59,7 @@ proptest! {
         options in options(),
         minor in prop::collection::vec(prop_oneof![8 => chain(6), 1 => Just(Vec::new())], 0..4),
         let_go in prop::collection::btree_set(id(), 0..6),
+        seen in prop::collection::btree_set(id(), 0..60),
         refused in prop::collection::vec(id(), 0..4),
     ) {
         let smooth = Surface::smooth(grid(6)).unwrap();
@@ -65,7 +69,7 @@ proptest! {
             bends: let_go.iter().map(|&i| VertexId(i)).collect(),
             minor: let_go.iter().map(|&i| EdgeId(i)).collect(),
         };
-        if let Ok(snapped) = snap(&surface, &domain, &let_go, &options) {
+        if let Ok(snapped) = snap(&surface, &domain, &seen.into_iter().map(EdgeId).collect(), &let_go, &options) {
             snapped.domain.check(snapped.surface.network()).unwrap();
             let refused: Vec<_> = refused.into_iter().map(FaceId).collect();
             snapped.poor([&domain.mesh, &snapped.domain.mesh], &refused, &options).unwrap();

@@ -5,6 +5,7 @@ use mesh_core::{EdgeId, FaceId, IdVec, Topology, TriMesh, VertexId, walk};
 use proptest::prelude::*;
 use region_map::{ArcKind, ArcSpan, Attachment, Domain, Network, Surface};
 use snap::{Bend, LetGo, SnapOptions, Snapped, Track, snap};
+use std::collections::BTreeSet;
 
 /// Cells of the grid along each axis.
 const N: usize = 20;
@@ -64,7 +65,14 @@ impl Bed {
 
     /// Snaps, and checks that the domain fits the new surface and that all points are in their sheets.
     fn snap(&self, let_go: &LetGo, options: &SnapOptions) -> Snapped {
-        let snapped = snap(&self.surface, &self.domain, let_go, options).unwrap();
+        self.snap_to_seen(&[], let_go, options)
+    }
+
+    /// The same where the edges along some chains are seen as sharp.
+    fn snap_to_seen(&self, seen: &[&[VertexId]], let_go: &LetGo, options: &SnapOptions) -> Snapped {
+        let edge = |ends: &[VertexId]| self.surface.topology().find_edge(ends[0], ends[1]).unwrap();
+        let seen: BTreeSet<EdgeId> = seen.iter().flat_map(|chain| chain.windows(2).map(edge)).collect();
+        let snapped = snap(&self.surface, &self.domain, &seen, let_go, options).unwrap();
         let (network, Domain { mesh, region, .. }) = (snapped.surface.network(), &snapped.domain);
         snapped.domain.check(network).unwrap();
         for (v, point) in region.points.enumerate() {
@@ -102,7 +110,7 @@ proptest! {
     fn a_minor_crease_becomes_an_arc(seed: u64, share in 0.0..0.4) {
         let bed = ridge().jitter(share, seed);
         let snapped = bed.snap(&LetGo::default(), &all());
-        let [Track { edges, path }] = &snapped.tracks[..] else { panic!("{:?}", snapped.tracks) };
+        let [Track { edges, path, .. }] = &snapped.tracks[..] else { panic!("{:?}", snapped.tracks) };
         let (network, mesh) = (snapped.surface.network(), &snapped.domain.mesh);
         prop_assert_eq!(edges.len(), 12);
         prop_assert_eq!((network.arcs.len(), network.n_sheets), (bed.surface.network().arcs.len() + 1, 1));
@@ -204,7 +212,7 @@ fn poor_halves_and_bends_are_named() {
     let before = &bed.domain.mesh;
     let poor = |snapped: &Snapped, after: &TriMesh, refused: &[FaceId]| snapped.poor([before, after], refused, &all()).unwrap();
     assert_eq!(poor(&snapped, before, &[]), LetGo::default());
-    let Track { edges, path } = &snapped.tracks[0];
+    let Track { edges, path, .. } = &snapped.tracks[0];
     let moved = |v: VertexId| {
         let mut positions = before.positions().clone();
         positions[v] += DVec3::new(0.0, 3.0 / N as f64, 0.0);
@@ -223,11 +231,50 @@ fn poor_halves_and_bends_are_named() {
 fn a_domain_of_another_size_is_refused() {
     let Bed { surface, domain } = ridge();
     let other = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]).unwrap();
-    let snapped = snap(&surface, &domain, &LetGo::default(), &all()).unwrap();
+    let snapped = snap(&surface, &domain, &BTreeSet::new(), &LetGo::default(), &all()).unwrap();
     assert!(snapped.poor([&domain.mesh, &other], &[], &all()).is_err());
     let mut region = domain.region.clone();
     region.points = IdVec::new();
     for wrong in [Domain { region, ..domain.clone() }, Domain { mesh: other, ..domain }] {
-        assert!(snap(&surface, &wrong, &LetGo::default(), &all()).is_err());
+        assert!(snap(&surface, &wrong, &BTreeSet::new(), &LetGo::default(), &all()).is_err());
     }
+}
+
+/// Edges that a person sees as sharp are followed where others are too short, and where the domain is as near as anywhere. Of two creases beside refused
+/// triangles they are let go of first.
+#[test]
+fn short_edges_are_followed_where_they_are_seen() {
+    let [long, short]: [Vec<VertexId>; 2] = [(4..=16).map(|x| vertex(x, 8)).collect(), (8..=10).map(|x| vertex(x, 14)).collect()];
+    let bed = Bed::new(|_, _| 0.0, &[], vec![long.clone(), short.clone()]);
+    assert_eq!(bed.snap(&LetGo::default(), &all()).tracks.len(), 1);
+    let snapped = bed.snap_to_seen(&[&short], &LetGo::default(), &all());
+    assert_eq!(snapped.tracks.iter().map(|track| track.only_seen).collect::<Vec<_>>(), [false, true]);
+    let near = bed.snap_to_seen(&[&long, &short], &LetGo::default(), &SnapOptions { least_depth: 1.0, ..all() });
+    assert_eq!(near.tracks.iter().map(|track| track.only_seen).collect::<Vec<_>>(), [true, true]);
+    // All triangles get poor.
+    let flat =
+        |mesh: &TriMesh| mesh.with_positions(mesh.positions().iter().map(|p| *p * DVec3::new(1.0, 0.01, 1.0)).collect()).unwrap();
+    let poor = |snapped: &Snapped, refused: &[FaceId]| {
+        let mesh = &snapped.domain.mesh;
+        snapped.poor([mesh, &flat(mesh)], refused, &all()).unwrap()
+    };
+    let edges_of = |track: &Track| track.edges.iter().copied().collect::<BTreeSet<EdgeId>>();
+    let [ordinary, seen] = [0, 1].map(|i| edges_of(&snapped.tracks[i]));
+    let let_go = poor(&snapped, &[]);
+    assert_eq!(let_go.minor, seen);
+    assert_eq!(poor(&bed.snap_to_seen(&[&short], &let_go, &all()), &[]).minor, ordinary);
+    // What is refused leaves no time for that.
+    assert_eq!(poor(&snapped, &[FaceId(0)]).minor, &ordinary | &seen);
+}
+
+/// The fourth side of a square closes a ring, which the paths of short pieces may turn inside out: it is left.
+#[test]
+fn seen_edges_close_no_ring() {
+    let side =
+        |from: [usize; 2], step: [usize; 2]| (0..=2).map(|i| vertex(from[0] + i * step[0], from[1] + i * step[1])).collect();
+    let sides: [Vec<VertexId>; 4] = [side([8, 8], [1, 0]), side([10, 8], [0, 1]), side([8, 10], [1, 0]), side([8, 8], [0, 1])];
+    let bed = Bed::new(|_, _| 0.0, &[], sides.to_vec());
+    let seen: Vec<&[VertexId]> = sides.iter().map(Vec::as_slice).collect();
+    let tracks = bed.snap_to_seen(&seen, &LetGo::default(), &all()).tracks;
+    assert_eq!(tracks.len(), 3);
 }

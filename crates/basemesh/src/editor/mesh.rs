@@ -10,8 +10,6 @@ use mesh_core::{FaceId, Id, IdVec, TriMesh, VertexId};
 use region_map::{ArcSpan, Attachment, BaseMap, BaseMesh, Domain, MapFaceId, RegionMap, Sizing, Surface};
 use rustc_hash::FxHashMap;
 
-/// The direction of an arc at a vertex is that to the point this far along the edge.
-const NEAR_START: f64 = 0.1;
 /// A base mesh under edit. Faces and vertices that are gone leave gaps in the numbering until [`Editor::finish`].
 pub(crate) struct Editor<'a> {
     pub(super) surface: &'a Surface,
@@ -103,12 +101,27 @@ impl<'a> Editor<'a> {
     pub(crate) fn attachment(&self, v: VertexId) -> Attachment {
         self.region.attachments[v]
     }
-    /// Unit direction in which an edge on an arc leaves `v`, along the arc.
-    pub(crate) fn arc_direction(&self, v: VertexId, to: VertexId) -> Option<DVec3> {
-        let span = self.span(v, to)?;
-        let arc = &self.surface.network().arcs[span.arc];
-        let near = arc.position(self.surface.mesh(), span.from + NEAR_START * (span.to - span.from));
-        (near - self.positions[v]).try_normalize()
+    /// The angle of the surface at a corner `v`, in degrees, from the arc that leads to `next` counter-clockwise to the arc that leads to `last`; `None`
+    /// where `v` is no corner, or one of the two edges is on no arc.
+    pub(crate) fn opening(&self, v: VertexId, next: VertexId, last: VertexId) -> Option<f64> {
+        let Attachment::Corner(corner) = self.attachment(v) else { return None };
+        let (network, mesh, topology) = (self.surface.network(), self.surface.mesh(), self.surface.topology());
+        let along = |to: VertexId| {
+            let span = self.span(v, to)?;
+            let on_arc = &network.arcs[span.arc].vertices;
+            if span.from < span.to { on_arc.get(1) } else { on_arc.iter().rev().nth(1) }
+        };
+        let (first, end) = (along(next)?, along(last)?);
+        let start = topology.find_halfedge(network.corners[corner], *first)?;
+        let fan = std::iter::successors(Some(start), |h| topology.twin(h.prev()).filter(|&h| h != start));
+        let mut degrees = 0.0;
+        for h in fan {
+            degrees += mesh_core::angles(mesh.triangle(h.face()))[h.corner()].to_degrees();
+            if topology.opposite(h) == *end {
+                break;
+            }
+        }
+        Some(degrees)
     }
     /// What the sizing field says at a vertex.
     pub(crate) fn size(&self, sizing: &Sizing, v: VertexId) -> f64 {

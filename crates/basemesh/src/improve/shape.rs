@@ -13,8 +13,8 @@ const FOLD_COST: f64 = 2.0;
 const STRAIGHT_COST: f64 = 300.0;
 /// The cost of a flat pair of equilateral triangles.
 const LEAST_PAIR_COST: f64 = 2.0;
-/// Cosine of the angle between two arcs beyond which a triangle's corner between them counts as straight: 150 degrees.
-const STRAIGHT_COSINE: f64 = -0.866;
+/// Angle of the surface between two arcs, in degrees, beyond which a triangle's corner between them counts as straight.
+const STRAIGHT: f64 = 150.0;
 
 /// True for a face that faces against the surface that it covers, or has no area.
 pub(crate) fn is_folded(editor: &Editor<'_>, corners: [VertexId; 3]) -> bool {
@@ -51,15 +51,16 @@ fn pair_cost(editor: &Editor<'_>, s: ([VertexId; 3], DVec3), t: ([VertexId; 3], 
     inverse_mean_ratio(p, s.1) + inverse_mean_ratio(q, t.1) + FOLD_COST * fold + STRAIGHT_COST * straight as f64
 }
 
-/// True for a triangle with a straight corner: two of its edges are on arcs that go on nearly straight at their common vertex, or on one arc: its
-/// vertex slides along that, and out of any bend. However good the base triangle looks: subdivided along the arcs, its corner there opens to
-/// 180 degrees.
+/// True for a triangle with a straight corner: the surface between two of its edges on arcs turns by nearly half a circle or more, however near the arcs
+/// are to each other in space; or they are on one arc, and their vertex slides along that, and out of any bend. However good the base triangle
+/// looks: subdivided along the arcs, its corner there opens to 180 degrees.
 pub(crate) fn has_straight_corner(editor: &Editor<'_>, face: [VertexId; 3]) -> bool {
     (0..3).any(|i| {
         let [v, next, last] = [0, 1, 2].map(|k| face[(i + k) % 3]);
-        match (editor.arc_direction(v, next), editor.arc_direction(v, last)) {
-            (Some(a), Some(b)) => matches!(editor.attachment(v), Attachment::Arc { .. }) || a.dot(b) < STRAIGHT_COSINE,
-            _ => false,
+        match editor.attachment(v) {
+            Attachment::Sheet(_) => false,
+            Attachment::Arc { .. } => editor.span(v, next).is_some() && editor.span(v, last).is_some(),
+            Attachment::Corner(_) => editor.opening(v, next, last).is_some_and(|degrees| degrees > STRAIGHT),
         }
     })
 }

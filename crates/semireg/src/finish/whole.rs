@@ -1,7 +1,6 @@
 //! All stages after the base mesh, straight through.
 
 use super::fitting::{Certified, certified};
-use super::levels::again;
 use super::place::{Placed, placed};
 use super::snapping::snapped;
 use crate::base::{Base, BaseStages, Way};
@@ -22,11 +21,12 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let candidate = matched(&input.reference, candidate, options)?;
     let candidate = mended(&input.reference, candidate, options, run)?;
     NextStage::Snap.is_worth(candidate.n_faults(), candidate.n_triangles())?;
+    let sharp = seen_edges(input, &candidate.relaxed.domain.mesh, options);
     let finish = |candidate, run: &mut Run| {
-        let snapped = snapped(&input.reference, candidate, &options.relax, run);
-        joined(&input.reference, snapped, &again(&options.relax))
+        let snapped = snapped(&input.reference, candidate, &sharp, &options.relax, run);
+        joined(&input.reference, snapped, &options.relax.shape)
     };
-    let candidate = followed(&input.reference, candidate, options, run, finish)?;
+    let candidate = followed(&input.reference, candidate, &sharp, options, run, finish)?;
     let mut warnings = stages.warnings.clone();
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
     warnings.extend(candidate.raised.warning(input.reference.diagonal()));
@@ -34,6 +34,14 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
     let certified = certified.map_err(|e| on_its_base(e, stages))?;
     Ok(assembled(input, stages, Starts { subdivided, projected, project }, candidate, certified, options, warnings))
+}
+
+/// The edges of the input that a person sees as sharp, as far as a result can tell them from round ones. Who wants no creases misses none.
+fn seen_edges(input: &Input, result: &TriMesh, options: &Options) -> SharpEdges {
+    if !options.features.finds_creases() {
+        return SharpEdges::none();
+    }
+    SharpEdges::new(&input.cleaned.mesh, certify::mean_edge(result))
 }
 
 /// The finest level before its relaxation.
@@ -55,9 +63,7 @@ pub(super) fn assembled(
 ) -> Remeshed {
     let Certified { domain, offsets, fit, certificate } = certified;
     let edge = certify::mean_edge(&domain.mesh);
-    // Who wants no creases does not miss them.
-    let wanted = options.features.finds_creases();
-    let sharp_edges = wanted.then(|| SharpEdges::new(&input.cleaned.mesh, edge).cover(&domain.mesh)).flatten();
+    let sharp_edges = seen_edges(input, &domain.mesh, options).cover(&domain.mesh);
     let diagonal = input.cleaned.mesh.diagonal();
     let accepted = options.accepted_distance(1.0, edge / diagonal);
     let shortcomings = Shortcoming::all(&certificate.measures, sharp_edges, accepted);
@@ -124,7 +130,9 @@ mod tests {
             }
             Ok(candidate)
         };
-        let mut after = |options: &Options| followed(&input.reference, start.clone(), options, &mut run, pulled).unwrap();
+        let mut after = |options: &Options| {
+            followed(&input.reference, start.clone(), &SharpEdges::none(), options, &mut run, pulled).unwrap()
+        };
         let greatest = |result: &Candidate| certify::missed(&input.reference, &result.relaxed.domain.mesh, 0.0).greatest;
         let as_asked = after(&asked);
         assert_eq!(as_asked.base.mesh().n_vertices(), n);
@@ -161,7 +169,7 @@ mod tests {
             Ok(candidate)
         };
         let ours = Options { base_vertices: None, ..asked };
-        let followed = followed(&input.reference, start, &ours, &mut run, pulled).unwrap();
+        let followed = followed(&input.reference, start, &SharpEdges::none(), &ours, &mut run, pulled).unwrap();
         assert_eq!(followed.n_faults(), 0);
         let at = [lowest, highest].map(|v| is_refined_at(&followed, v));
         assert_eq!(at, [true, false]);

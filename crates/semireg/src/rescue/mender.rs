@@ -42,7 +42,7 @@ impl<'a> Mender<'a> {
     /// The surroundings of some triangles relaxed, as far as so many base edges.
     pub(super) fn relaxed(&self, before: &Candidate, faces: &[FaceId], reach: f64) -> Result<Candidate, Error> {
         let edges = (reach * f64::from(1 << self.options.levels())).max(1.0) as usize;
-        let relaxed = relax_around(&before.surface, &before.relaxed.domain, faces, edges, &self.options.relax.shape)?;
+        let relaxed = relax_around(&before.surface, &before.relaxed.domain, faces, edges, &[], &self.options.relax.shape)?;
         Ok(before.clone().with(self.input, before.surface.clone(), relaxed.after(before.relaxed.report)))
     }
 

@@ -21,6 +21,8 @@ const MISSING: f64 = 0.5;
 const AS_FAR: f64 = 0.05;
 /// Rounds of bisection at most. Each halves the edges under what is missed, and so the distance or better.
 const ROUNDS: usize = 6;
+/// So many rounds one after the other may miss as much as those before: what is snapped to changes with each, and may be less for once.
+const MOST_IN_VAIN: usize = 1;
 /// The base mesh grows by this share at most: where more is missed, the whole result is too coarse for the shape.
 const MOST_GROWTH: f64 = 0.5;
 /// How far around a place where a finer base mesh has faulty triangles nothing is refined any more, in base edges. Less leaves vertices beside it that
@@ -30,11 +32,14 @@ const AROUND: f64 = 2.0;
 /// Finishes a candidate by `finish`, and refines its base mesh where the result misses the input, as long as that helps. The result that misses
 /// least is kept.
 ///
+/// `sharp` are the edges of the input that a person sees as sharp.
+///
 /// Only where no number of base vertices is asked for, or a distance is: else that number holds. Of a result that the certificate refuses nobody
 /// asks what it misses.
 pub(crate) fn followed(
     input: &Reference,
     start: Candidate,
+    sharp: &SharpEdges,
     options: &Options,
     run: &mut Run,
     mut finish: impl FnMut(Candidate, &mut Run) -> Result<Candidate, Error>,
@@ -49,16 +54,16 @@ pub(crate) fn followed(
     }
     let mender = Mender::new(input, options, &start, MOST_GROWTH, "it misses the input or a sharp edge somewhere");
     let mut now = start;
-    let sharp = options.features.finds_creases().then(|| SharpEdges::new(input.mesh(), mean_edge(&best.relaxed.domain.mesh)));
     let missed = |candidate: &Candidate| {
         let mesh = &candidate.relaxed.domain.mesh;
         let accepted = MARGIN * options.accepted_distance(input.diagonal(), mean_edge(mesh));
-        missed(input, sharp.as_ref(), candidate, accepted)
+        missed(input, sharp, candidate, accepted)
     };
     let mut last = missed(&best);
     let mut least = last.badness();
     let base_edge = f64::from(1 << options.levels()) * mean_edge(&now.relaxed.domain.mesh);
     let mut spoilt = Spoilt { middles: Vec::new(), reach: AROUND * base_edge };
+    let mut in_vain = 0;
     for _ in 0..ROUNDS {
         let faces = spoilt.without_those_near(&now, &last.faces);
         if faces.is_empty() {
@@ -76,7 +81,8 @@ pub(crate) fn followed(
         }
         let missed = missed(&finished);
         let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
-        if !helps {
+        in_vain = if helps { 0 } else { in_vain + 1 };
+        if in_vain > MOST_IN_VAIN {
             break;
         }
         if missed.badness().is_less_than(least) {
@@ -139,11 +145,11 @@ impl Badness {
 }
 
 /// Where a result is farther from the input than what is accepted, a length.
-fn missed(input: &Reference, sharp: Option<&SharpEdges>, candidate: &Candidate, accepted: f64) -> Misses {
+fn missed(input: &Reference, sharp: &SharpEdges, candidate: &Candidate, accepted: f64) -> Misses {
     let mesh = &candidate.relaxed.domain.mesh;
     let far = certify::missed(input, mesh, accepted);
-    let of_sharp_edges = sharp.map(|sharp| sharp.missed(mesh, 1.0 - MISSING * (1.0 - ACCEPTED_SHARP_COVER)));
-    let mut faces = [far.faces, of_sharp_edges.unwrap_or_default(), certify::new_cuts(input, mesh)].concat();
+    let of_sharp_edges = sharp.missed(mesh, 1.0 - MISSING * (1.0 - ACCEPTED_SHARP_COVER));
+    let mut faces = [far.faces, of_sharp_edges, certify::new_cuts(input, mesh)].concat();
     faces.sort_unstable();
     faces.dedup();
     Misses { faces, greatest: far.greatest / accepted }

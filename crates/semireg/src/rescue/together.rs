@@ -5,15 +5,17 @@ use crate::candidate::Candidate;
 use crate::{Error, Options};
 use certify::Reference;
 use glam::DVec3;
-use mesh_core::{IdVec, Place, VertexId, place};
+use mesh_core::{FaceId, HalfedgeId, IdVec, Place, VertexId, place};
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, RegionMap, Surface};
-use relax::{RelaxError, RelaxOptions, Relaxed};
+use relax::{RelaxError, Relaxed, ShapeOptions, relax_around};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Rounds of bisection. Each may double the vertices of an arc, and arcs in one place seldom differ by half.
 const ROUNDS: usize = 4;
 /// The base mesh grows by this share at most.
 const MOST_GROWTH: f64 = 0.5;
+/// Vertices up to so many edges away from those that move on their arcs make way. More gives better triangles there, and takes longer.
+const REACH: usize = 6;
 
 /// An arc in the place of others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,9 +84,9 @@ fn lacking(groups: &[Vec<Side>], region: &RegionMap) -> Vec<[VertexId; 2]> {
     lacking
 }
 
-/// Moves the vertices on arcs to where the first arc in their place has its own, if there are as many, and relaxes all others. The candidate comes
+/// Moves the vertices on arcs to where the first arc in their place has its own, if there are as many, and relaxes what is around. The candidate comes
 /// back as it was where the certificate would refuse more triangles then.
-pub(crate) fn joined(input: &Reference, before: Candidate, options: &RelaxOptions) -> Result<Candidate, Error> {
+pub(crate) fn joined(input: &Reference, before: Candidate, options: &ShapeOptions) -> Result<Candidate, Error> {
     let groups = groups(&before.surface);
     if groups.is_empty() {
         return Ok(before);
@@ -100,9 +102,12 @@ pub(crate) fn joined(input: &Reference, before: Candidate, options: &RelaxOption
         }
     }
     let places = positions.clone();
+    let has_moved = |v: &VertexId| places[*v] != mesh.position(*v);
+    let at_moved: Vec<FaceId> =
+        held.iter().filter(|v| has_moved(v)).flat_map(|&v| topology.fan(v).map(HalfedgeId::face)).collect();
     let moved =
         Domain { mesh: mesh.with_positions(positions.into_vec()).map_err(RelaxError::from)?, topology: topology.clone(), region };
-    let relaxed = relax::relax_holding(&before.surface, &moved, &held, options)?;
+    let relaxed = relax_around(&before.surface, &moved, &at_moved, REACH, &held, options)?;
     // To the last bit in the same place: rounding along another arc would part them.
     let mut positions = relaxed.domain.mesh.positions().clone();
     held.iter().for_each(|&v| positions[v] = places[v]);
