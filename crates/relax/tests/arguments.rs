@@ -143,8 +143,9 @@ proptest! {
         prop_assert!(!fits || all_faces.is_ok());
         if fits && options.check().is_ok() {
             prop_assert!(plain.is_ok() && in_space.is_ok());
-            prop_assert_eq!(holding.is_ok(), held.iter().all(|v| v.0 < domain.mesh.n_vertices() as u32));
-            prop_assert_eq!(around.is_ok(), faces.iter().all(|f| f.0 < domain.mesh.n_faces() as u32));
+            let are_held_there = held.iter().all(|v| v.0 < domain.mesh.n_vertices() as u32);
+            prop_assert_eq!(holding.is_ok(), are_held_there);
+            prop_assert_eq!(around.is_ok(), are_held_there && faces.iter().all(|f| f.0 < domain.mesh.n_faces() as u32));
             prop_assert_eq!(keeping.is_ok(), base_edge_length > 0.0 && base_edge_length.is_finite());
         }
         if options.check().is_err() {
