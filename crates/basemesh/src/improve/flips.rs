@@ -1,6 +1,6 @@
 //! Flips and moves: better triangles with as many vertices.
 
-use super::shape::{flip_gain, is_folded};
+use super::shape::{IdealValences, flip_gain, is_folded};
 use crate::editor::Editor;
 use mesh_core::VertexId;
 
@@ -42,13 +42,15 @@ pub(crate) fn flip_near(editor: &mut Editor<'_>, vertices: &[VertexId]) {
 }
 
 fn flip(editor: &mut Editor<'_>, mut edges: Vec<[VertexId; 2]>) {
+    let mut ideal = IdealValences::default();
     for _ in 0..FLIP_PASSES {
         let mut changed = Vec::new();
         for [a, b] in edges {
             if editor.is_interrupted() {
                 return;
             }
-            if flip_gain(editor, a, b) > LEAST_GAIN {
+            if flip_gain(editor, &mut ideal, a, b) > LEAST_GAIN {
+                ideal.forget(editor, a, b);
                 changed.extend(flip_unless_it_winds(editor, a, b).into_iter().flatten());
             }
         }

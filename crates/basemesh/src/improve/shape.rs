@@ -4,6 +4,7 @@ use crate::editor::{Editor, Face, signed_quality};
 use glam::DVec3;
 use mesh_core::{VertexId, inverse_mean_ratio};
 use region_map::Attachment;
+use rustc_hash::FxHashMap;
 
 /// Cost of one edge too many or too few at a vertex, in units of the shape cost of a triangle.
 const VALENCE_COST: f64 = 0.12;
@@ -23,14 +24,14 @@ pub(crate) fn is_folded(editor: &Editor<'_>, corners: [VertexId; 3]) -> bool {
 }
 
 /// What the cost falls by when the edge is flipped; negative infinity where it can't be, or would not fall.
-pub(crate) fn flip_gain(editor: &Editor<'_>, a: VertexId, b: VertexId) -> f64 {
+pub(crate) fn flip_gain(editor: &Editor<'_>, ideal: &mut IdealValences, a: VertexId, b: VertexId) -> f64 {
     let [Some((f, c)), Some((g, d))] = editor.faces_beside(a, b) else { return f64::NEG_INFINITY };
     if editor.span(a, b).is_some() || c == d || editor.valence(a) <= 3 || editor.valence(b) <= 3 {
         return f64::NEG_INFINITY;
     }
     let before = pair_cost(editor, ([a, b, c], f.normal), ([b, a, d], g.normal));
-    let valence_gain = |v: VertexId, change: f64| {
-        let excess = editor.valence(v) as f64 - ideal_valence(editor, v);
+    let mut valence_gain = |v: VertexId, change: f64| {
+        let excess = editor.valence(v) as f64 - ideal.of(editor, v);
         excess.powi(2) - (excess + change).powi(2)
     };
     let valences = valence_gain(a, -1.0) + valence_gain(b, -1.0) + valence_gain(c, 1.0) + valence_gain(d, 1.0);
@@ -65,11 +66,29 @@ pub(crate) fn has_straight_corner(editor: &Editor<'_>, face: [VertexId; 3]) -> b
     })
 }
 
-/// The number of edges that divides the angle round a vertex into steps of 60 degrees.
-fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
-    if let Attachment::Sheet(_) = editor.attachment(v) {
-        return 6.0;
+/// The ideal valences of vertices, as long as nothing around them changes: on a screw they took a third of all flips.
+#[derive(Default)]
+pub(crate) struct IdealValences(FxHashMap<VertexId, f64>);
+
+impl IdealValences {
+    fn of(&mut self, editor: &Editor<'_>, v: VertexId) -> f64 {
+        match editor.attachment(v) {
+            Attachment::Sheet(_) => 6.0,
+            _ => *self.0.entry(v).or_insert_with(|| ideal_valence(editor, v)),
+        }
     }
+
+    /// Forgets those of the corners of the two faces beside an edge.
+    pub(crate) fn forget(&mut self, editor: &Editor<'_>, a: VertexId, b: VertexId) {
+        let opposite = editor.faces_beside(a, b).into_iter().flatten().map(|(_, v)| v);
+        for v in opposite.chain([a, b]) {
+            self.0.remove(&v);
+        }
+    }
+}
+
+/// The number of edges that divides the angle round a vertex on an arc or at a corner into steps of 60 degrees.
+fn ideal_valence(editor: &Editor<'_>, v: VertexId) -> f64 {
     let angle_in = |f: Face| {
         let c = f.vertices.iter().position(|&w| w == v).unwrap_or(0);
         mesh_core::angles(editor.triangle(&f))[c]
