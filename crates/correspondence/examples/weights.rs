@@ -1,7 +1,7 @@
 //! Maps a cube to itself, its vertices lifted: `cargo run -p correspondence --example weights`
 
 use correspondence::{FaceOrder, Map, Source, Start};
-use mesh_core::{CleanOptions, FaceId, HalfedgeId, clean};
+use mesh_core::{CleanOptions, FaceId, clean};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -9,7 +9,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cleaned = clean(&soup, &CleanOptions::default())?;
     let lifted = cleaned.mesh.with_positions(cleaned.mesh.positions().iter().map(|p| 1.01 * *p).collect())?;
     let start = |(v, &position)| {
-        let face = cleaned.topology.fan(v).map(HalfedgeId::face).next().unwrap_or(FaceId(0));
+        let face = cleaned.topology.faces_at(v).next().unwrap_or(FaceId(0));
         Start { face, position }
     };
     let starts = cleaned.mesh.positions().enumerate().map(start).collect();

@@ -1,7 +1,7 @@
 //! From the input to the result: the nearest point that faces the same way.
 
 use glam::DVec3;
-use mesh_core::{Cleaned, FaceId, HalfedgeId, Id as _, IdVec, SurfaceIndex, SurfacePoint, TriMesh, VertexId};
+use mesh_core::{Cleaned, FaceId, Id as _, IdVec, SurfaceIndex, SurfacePoint, TriMesh, VertexId};
 use rayon::prelude::*;
 
 /// A point that faces the same way is taken though another one is nearer by so many mean edges of the result: of the two sides of a thin
@@ -34,12 +34,12 @@ pub(crate) fn nearest_points(
 
 /// The mean of the normals around a vertex by areas, of any length.
 fn facing(cleaned: &Cleaned, v: VertexId) -> DVec3 {
-    let around = cleaned.topology.fan(v).map(HalfedgeId::face);
+    let around = cleaned.topology.faces_at(v);
     around.map(|f| mesh_core::vector_area(cleaned.mesh.triangle(f))).sum()
 }
 
 fn any_face(cleaned: &Cleaned, v: VertexId) -> Option<FaceId> {
-    cleaned.topology.fan(v).next().map(HalfedgeId::face)
+    cleaned.topology.faces_at(v).next()
 }
 
 fn mean_edge(mesh: &TriMesh) -> f64 {

@@ -131,7 +131,7 @@ impl<'a> Finder<'a> {
     }
 
     fn fan(&self, v: VertexId) -> Vec<FaceId> {
-        self.cleaned.topology.fan(v).map(HalfedgeId::face).collect()
+        self.cleaned.topology.faces_at(v).collect()
     }
 
     /// The same face where its triangle is no needle; else, of those around it that are none, the nearest.

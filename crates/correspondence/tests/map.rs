@@ -2,11 +2,11 @@
 
 use correspondence::{CorrespondenceError, FaceOrder, Levels, Map, Source, Start};
 use glam::DVec3;
-use mesh_core::{CleanOptions, Cleaned, FaceId, HalfedgeId, IdVec, Soup, TriMesh, VertexId, clean};
+use mesh_core::{CleanOptions, Cleaned, FaceId, IdVec, Soup, TriMesh, VertexId, clean};
 
 /// The cleaned mesh of a soup as its own result, its vertices moved, each with a start on one of its own faces.
 fn map_of(soup: &Soup, cleaned: &Cleaned, moved: impl Fn(VertexId, FaceId) -> DVec3) -> (TriMesh, Map) {
-    let own = |v: VertexId| cleaned.topology.fan(v).map(HalfedgeId::face).next().unwrap();
+    let own = |v: VertexId| cleaned.topology.faces_at(v).next().unwrap();
     let starts: IdVec<_, _> =
         cleaned.mesh.positions().enumerate().map(|(v, &position)| Start { face: own(v), position }).collect();
     let positions = cleaned.mesh.positions().ids().map(|v| moved(v, own(v))).collect();

@@ -176,7 +176,7 @@ fn starts(surface: &Surface, region: &RegionMap, corners: [VertexId; 3], sheet: 
                 let sides = surface.network().arcs[arc].sides(surface.topology(), t);
                 starts.extend(sides.into_iter().flatten().map(HalfedgeId::face));
             }
-            Attachment::Corner(c) => starts.extend(surface.topology().fan(surface.network().corners[c]).map(HalfedgeId::face)),
+            Attachment::Corner(c) => starts.extend(surface.topology().faces_at(surface.network().corners[c])),
         }
     }
     starts.retain(|&f| surface.network().sheet_of_face[f] == sheet);

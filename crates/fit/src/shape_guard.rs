@@ -2,13 +2,12 @@
 
 use crate::placement::Placement;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, IdVec, Topology, TriMesh};
+use mesh_core::{FaceId, IdVec, Topology, TriMesh};
 use rayon::prelude::*;
 
 /// The faces round some faces.
 fn neighbourhood(domain: &TriMesh, topology: &Topology, faces: &[FaceId]) -> Vec<FaceId> {
-    let mut around: Vec<FaceId> =
-        faces.iter().flat_map(|&f| domain.face(f)).flat_map(|v| topology.fan(v)).map(HalfedgeId::face).collect();
+    let mut around: Vec<FaceId> = faces.iter().flat_map(|&f| domain.face(f)).flat_map(|v| topology.faces_at(v)).collect();
     around.sort_unstable();
     around.dedup();
     around

@@ -1,6 +1,6 @@
 //! Sets of faces: what hangs together, and what is around.
 
-use crate::{FaceId, HalfedgeId, Topology};
+use crate::{FaceId, Topology};
 use std::collections::BTreeSet;
 
 impl Topology {
@@ -13,7 +13,7 @@ impl Topology {
             let mut cluster = vec![first];
             let mut next = 0;
             while let Some(&f) = cluster.get(next) {
-                let around = self.face(f).into_iter().flat_map(|v| self.fan(v)).map(HalfedgeId::face);
+                let around = self.face(f).into_iter().flat_map(|v| self.faces_at(v));
                 cluster.extend(around.filter(|g| left.remove(g)));
                 next += 1;
             }
@@ -27,7 +27,7 @@ impl Topology {
         let mut wide: BTreeSet<FaceId> = faces.iter().copied().filter(|&f| self.faces().get(f).is_some()).collect();
         for _ in 0..rings {
             let corners = wide.iter().flat_map(|&f| self.face(f));
-            wide = corners.flat_map(|v| self.fan(v)).map(HalfedgeId::face).collect();
+            wide = corners.flat_map(|v| self.faces_at(v)).collect();
         }
         wide.into_iter().collect()
     }

@@ -165,6 +165,10 @@ impl Topology {
         let step = move |&h: &HalfedgeId| self.twins[h.prev()].filter(|&next| Some(next) != start);
         std::iter::successors(start, step)
     }
+    /// The faces at a vertex, counter-clockwise.
+    pub fn faces_at(&self, v: VertexId) -> impl Iterator<Item = FaceId> + '_ {
+        self.fan(v).map(HalfedgeId::face)
+    }
     /// Valence: number of edges at a vertex.
     pub fn valence(&self, v: VertexId) -> usize {
         self.fan(v).count() + usize::from(self.is_border_vertex(v))

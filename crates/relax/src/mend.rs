@@ -10,7 +10,7 @@ use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, Id as _, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
+use mesh_core::{FaceId, Id as _, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
@@ -169,7 +169,7 @@ impl Sight<'_> {
     }
 
     fn worst_and_sum(&self, v: VertexId, worst: f64, quality: impl Fn(FaceId) -> f64) -> Option<Score> {
-        let mut faces = self.domain.topology.fan(v).map(HalfedgeId::face);
+        let mut faces = self.domain.topology.faces_at(v);
         faces.try_fold((f64::INFINITY, 0.0), |(least, sum), f| {
             let q = quality(f);
             (q >= worst).then(|| (q.min(least), sum + q))

@@ -73,7 +73,7 @@ impl<'a> MovableDomain<'a> {
 
     /// The faces around some vertices, in order.
     pub(crate) fn fans(&self, vertices: &[VertexId]) -> Vec<FaceId> {
-        let mut faces: Vec<FaceId> = vertices.iter().flat_map(|&v| self.topology.fan(v).map(HalfedgeId::face)).collect();
+        let mut faces: Vec<FaceId> = vertices.iter().flat_map(|&v| self.topology.faces_at(v)).collect();
         faces.sort_unstable();
         faces.dedup();
         faces

@@ -86,11 +86,7 @@ pub fn relax_holding(
     options: &RelaxOptions,
 ) -> Result<Relaxed, RelaxError> {
     options.check()?;
-    let mut movable = MovableDomain::new(surface, domain)?;
-    // A vertex that is held on an arc still has a normal on each side of it.
-    let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
-    movable.hold(held)?;
-    let start = Quality::of(&placed, &movable);
+    let (movable, placed, start) = started(surface, domain, held)?;
 
     let (relaxed, quadric_iterations) = if options.quadric.iterations == 0 {
         (placed, 0)
@@ -106,6 +102,20 @@ pub fn relax_holding(
     best.steps += steps_of_places;
     let report = RelaxReport { start, after_quadric, end: best.quality, quadric_iterations, shape_steps: best.steps };
     finished(&movable, domain, best.measured, report)
+}
+
+/// A domain with some vertices held, where its vertices begin, and how good it is there.
+fn started<'a>(
+    surface: &'a Surface,
+    domain: &Domain,
+    held: &[VertexId],
+) -> Result<(MovableDomain<'a>, Measured, Quality), RelaxError> {
+    let mut movable = MovableDomain::new(surface, domain)?;
+    // A vertex that is held on an arc still has a normal on each side of it.
+    let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
+    movable.hold(held)?;
+    let start = Quality::of(&placed, &movable);
+    Ok((movable, placed, start))
 }
 
 /// Untangles each place by itself where few triangles are entangled: else all others take as many steps for their sake. Only where the paper's
@@ -145,14 +155,10 @@ pub fn relax_around(
     options: &ShapeOptions,
 ) -> Result<Relaxed, RelaxError> {
     options.check()?;
-    let mut movable = MovableDomain::new(surface, domain)?;
+    let (movable, placed, start) = started(surface, domain, held)?;
     if let Some(&f) = faces.iter().find(|&&f| movable.topology.faces().get(f).is_none()) {
         return Err(RelaxError::NoSuchFace(f));
     }
-    // A vertex that is held on an arc still has a normal on each side of it.
-    let placed = Measured::new(&movable, Placement::of_region(&movable, &domain.region));
-    movable.hold(held)?;
-    let start = Quality::of(&placed, &movable);
     let mut placement = placed.into_placement();
     let targets = sheet_targets(&movable, &domain.region.sheet_of_face, &placement);
     let shape_steps = relax_places(&Mender::new(&movable), &targets, &mut placement, (faces, edges), options);

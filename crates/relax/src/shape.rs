@@ -12,7 +12,7 @@ use crate::movable_domain::{MovableDomain, each};
 use crate::placement::Placement;
 use crate::system::{Element, Pattern, System};
 use glam::{DMat2, DVec2, DVec3};
-use mesh_core::{FaceId, HalfedgeId, Id, IdVec, VertexId};
+use mesh_core::{FaceId, Id, IdVec, VertexId};
 use region_map::SheetId;
 
 /// Conjugate gradients lower the residual to this share: less makes each Newton step better and dearer.
@@ -312,7 +312,7 @@ pub(crate) fn sheet_means(domain: &MovableDomain, sheets: &IdVec<FaceId, SheetId
 /// For every face the mean unsigned area of the faces around its corners: the scale of the places where triangles fold.
 fn local_areas(domain: &MovableDomain, placement: &Placement) -> Vec<f64> {
     let areas: Vec<f64> = domain.of_faces(|f| mesh_core::area(placement.triangle(domain, f)));
-    let around = |f: FaceId| domain.topology.face(f).into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face);
+    let around = |f: FaceId| domain.topology.face(f).into_iter().flat_map(|v| domain.topology.faces_at(v));
     domain.of_faces(|f| {
         let (sum, n) = around(f).fold((0.0, 0), |(sum, n), g| (sum + areas[g.index()], n + 1));
         sum / f64::from(n)

@@ -240,7 +240,7 @@ fn folds_are_relaxed_in_their_place() {
             let way = 1.3 * (calm.domain.mesh.position(w) - calm.domain.mesh.position(v));
             region.points[v] = bed.walked(region.points[v], way);
         }
-        let faces: Vec<FaceId> = [first, last].iter().flat_map(|&v| bed.domain.topology.fan(v)).map(|h| h.face()).collect();
+        let faces: Vec<FaceId> = [first, last].iter().flat_map(|&v| bed.domain.topology.faces_at(v)).collect();
         let edges = 2;
         let folded = calm.domain.placed(&bed.surface, region).unwrap();
         let relaxed = relax_around(&bed.surface, &folded, &faces, edges, &[], &ShapeOptions::default()).unwrap();

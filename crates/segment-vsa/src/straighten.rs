@@ -60,7 +60,7 @@ fn collect_around(surface: &Measured, f: FaceId, around: &mut Vec<FaceId>) {
     around.push(f);
     for _ in 0..RINGS {
         let vertices: Vec<_> = around.iter().flat_map(|&g| topology.face(g)).collect();
-        around.extend(vertices.into_iter().flat_map(|v| topology.fan(v)).map(|h| h.face()));
+        around.extend(vertices.into_iter().flat_map(|v| topology.faces_at(v)));
         around.sort_unstable();
         around.dedup();
     }

@@ -2,7 +2,7 @@
 
 use certify::{Faults, Reference, faulty_faces_among};
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, TriMesh, VertexId, aspect_ratio};
+use mesh_core::{FaceId, TriMesh, VertexId, aspect_ratio};
 use region_map::{Attachment, Domain, Surface};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -83,7 +83,7 @@ impl Raised {
 
 /// The triangles at some vertices.
 fn faces_at(domain: &Domain, vertices: impl IntoIterator<Item = VertexId>) -> BTreeSet<FaceId> {
-    vertices.into_iter().flat_map(|v| domain.topology.fan(v)).map(HalfedgeId::face).collect()
+    vertices.into_iter().flat_map(|v| domain.topology.faces_at(v)).collect()
 }
 
 /// The normal that a vertex is raised along.

@@ -70,15 +70,12 @@ impl<'a> Assignment<'a> {
         &self.pieces
     }
 
-    /// Whether pieces that have a path lead from one vertex of the surface to another.
-    pub(crate) fn leads(&self, from: VertexId, to: VertexId) -> bool {
-        let ends = |followed: &FollowedPiece| match followed.piece.vertices[..] {
-            [first, .., last] => vec![first, last],
-            _ => Vec::new(),
-        };
+    /// Whether a piece closes a ring of pieces that have a path.
+    pub(crate) fn closes_a_ring(&self, piece: &Piece) -> bool {
+        let [from, to] = piece.ends();
         let (mut reached, mut open) = (BTreeSet::from([from]), vec![from]);
         while let Some(at) = open.pop() {
-            let here = self.pieces.iter().map(ends).filter(|ends| ends.contains(&at));
+            let here = self.pieces.iter().map(|followed| followed.piece.ends()).filter(|ends| ends.contains(&at));
             open.extend(here.flatten().filter(|&v| reached.insert(v)));
         }
         reached.contains(&to)

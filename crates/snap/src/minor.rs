@@ -20,6 +20,13 @@ pub(crate) struct Piece {
     pub(crate) length: f64,
 }
 
+impl Piece {
+    /// The vertices that it begins and ends with. It has an edge at least.
+    pub(crate) fn ends(&self) -> [VertexId; 2] {
+        [self.vertices[0], self.vertices[self.vertices.len() - 1]]
+    }
+}
+
 /// The pieces of a minor crease, of those of its edges that are kept, that edges of this length can follow.
 pub(crate) fn pieces(
     surface: &Surface,

@@ -1,7 +1,7 @@
 //! Which bends and creases have poor triangles beside them.
 
 use crate::{LetGo, SnapError, SnapOptions, Snapped, Track};
-use mesh_core::{FaceId, HalfedgeId, TriMesh, VertexId, aspect_ratio};
+use mesh_core::{FaceId, TriMesh, VertexId, aspect_ratio};
 use region_map::RegionMapError;
 use std::collections::BTreeSet;
 
@@ -25,9 +25,9 @@ impl Snapped {
             }
         }
         let corners = refused.iter().filter_map(|&f| topology.faces().get(f)).flatten();
-        let refused: BTreeSet<FaceId> = corners.flat_map(|&v| topology.fan(v)).map(HalfedgeId::face).collect();
+        let refused: BTreeSet<FaceId> = corners.flat_map(|&v| topology.faces_at(v)).collect();
         let is_poor = |vertices: &[VertexId]| {
-            let star: BTreeSet<FaceId> = vertices.iter().flat_map(|&v| topology.fan(v)).map(HalfedgeId::face).collect();
+            let star: BTreeSet<FaceId> = vertices.iter().flat_map(|&v| topology.faces_at(v)).collect();
             let worst = |mesh: &TriMesh| star.iter().map(|&f| aspect_ratio(mesh.triangle(f))).fold(f64::INFINITY, f64::min);
             let turned = |&f: &FaceId| before.normal(f).dot(after.normal(f)) <= 0.0;
             star.iter().any(|f| turned(f) || refused.contains(f))

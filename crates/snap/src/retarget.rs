@@ -4,7 +4,7 @@ use crate::SnapError;
 use crate::assignment::{Assignment, FollowedPiece};
 use crate::drag::drag;
 use crate::minor::runs;
-use mesh_core::{EdgeId, FaceId, HalfedgeId, IdVec, SurfacePoint, Topology, VertexId};
+use mesh_core::{EdgeId, FaceId, IdVec, SurfacePoint, Topology, VertexId};
 use region_map::{Arc, ArcKind, ArcSpan, Attachment, Domain, Network, RegionMap, SheetId, Surface};
 use std::collections::BTreeMap;
 
@@ -153,7 +153,7 @@ fn place(assignment: &Assignment, network: &Network, region: &mut RegionMap) {
     drag(assignment, region);
     for v in region.vertices() {
         let Attachment::Sheet(_) = region.attachments[v] else { continue };
-        let Some(sheet) = assignment.domain.topology.fan(v).next().map(HalfedgeId::face).map(|f| region.sheet_of_face[f]) else {
+        let Some(sheet) = assignment.domain.topology.faces_at(v).next().map(|f| region.sheet_of_face[f]) else {
             continue;
         };
         region.attachments[v] = Attachment::Sheet(sheet);

@@ -1,9 +1,8 @@
 //! Snapping: first to bends of arcs, then to minor creases.
 
 use crate::assigner::Assigner;
-use crate::assignment::Assignment;
 use crate::bends::bends;
-use crate::minor::{Piece, pieces};
+use crate::minor::pieces;
 use crate::retarget::retarget;
 use crate::{LetGo, SnapError, SnapOptions};
 use mesh_core::{EdgeId, VertexId};
@@ -94,16 +93,13 @@ fn followed(assigner: &mut Assigner<'_>, is_kept: impl Fn(EdgeId) -> bool, only_
         if surface.interrupt().is_set() {
             break;
         }
-        if assigner.depth(&piece) >= options.least_depth && !(only_seen && closes_a_ring(&assigner.assignment, &piece)) {
+        // The path of a short piece may turn a ring inside out.
+        let may_be = !only_seen || !assigner.assignment.closes_a_ring(&piece);
+        if may_be && assigner.depth(&piece) >= options.least_depth {
             tracks.extend(assigner.follow(&piece).map(|path| Track { edges: piece.edges, path, only_seen }));
         }
     }
     tracks
-}
-
-/// Whether a piece closes a ring of pieces. The path of a short one may turn the ring inside out.
-fn closes_a_ring(assignment: &Assignment<'_>, piece: &Piece) -> bool {
-    matches!(piece.vertices[..], [first, .., last] if assignment.leads(first, last))
 }
 
 impl Snapped {

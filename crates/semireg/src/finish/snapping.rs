@@ -8,7 +8,7 @@ use crate::report::SnapCounts;
 use crate::rescue::on_touching_arcs;
 use crate::run::Run;
 use certify::{Reference, SharpEdges};
-use mesh_core::{EdgeId, FaceId, HalfedgeId, TriMesh};
+use mesh_core::{EdgeId, FaceId, TriMesh};
 use region_map::Surface;
 use relax::RelaxOptions;
 use snap::{LetGo, SnapOptions, Snapped};
@@ -36,15 +36,15 @@ const MOST_RINGS: usize = 8;
 /// Snaps a candidate to bends and minor creases and relaxes it again. It comes back as it was where there are none, where the certificate
 /// would refuse more triangles than before, or where snapping fails; of the last two it tells.
 ///
-/// `sharp` are the edges of the input that a person sees as sharp.
+/// `seen` are the edges of minor creases that a person sees as sharp.
 pub(super) fn snapped(
     input: &Reference,
     before: Candidate,
-    sharp: &SharpEdges,
+    seen: &BTreeSet<EdgeId>,
     options: &RelaxOptions,
     run: &mut Run,
 ) -> Candidate {
-    let unsnapped = match rounds(input, &before, &seen(&before.surface, sharp), options, run) {
+    let unsnapped = match rounds(input, &before, seen, options, run) {
         Ok(Some(snapped)) if snapped.n_faults() <= before.n_faults() => return snapped,
         Ok(None) => return before,
         Ok(Some(_)) => "some triangles did not bear them".to_string(),
@@ -91,7 +91,7 @@ fn rounds(
 }
 
 /// The edges of minor creases of a surface that are parts of sharp edges.
-fn seen(surface: &Surface, sharp: &SharpEdges) -> BTreeSet<EdgeId> {
+pub(super) fn seen(surface: &Surface, sharp: &SharpEdges) -> BTreeSet<EdgeId> {
     let (mesh, topology) = (surface.mesh(), surface.topology());
     let ends = surface.network().minor.iter().flat_map(|chain| chain.windows(2).map(|ends| [ends[0], ends[1]]));
     let edges: Vec<EdgeId> = ends.filter_map(|[a, b]| topology.find_edge(a, b)).collect();
@@ -137,7 +137,7 @@ fn relaxed_again(input: &Reference, before: &Candidate, snapped: &Snapped, optio
 fn faces_at(snapped: &Snapped) -> Vec<FaceId> {
     let on_paths = snapped.tracks.iter().flat_map(|track| track.path.iter().copied());
     let vertices = snapped.bends.iter().map(|bend| bend.vertex).chain(on_paths);
-    vertices.flat_map(|v| snapped.domain.topology.fan(v).map(HalfedgeId::face)).collect()
+    vertices.flat_map(|v| snapped.domain.topology.faces_at(v)).collect()
 }
 
 #[cfg(test)]

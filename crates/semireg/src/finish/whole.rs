@@ -2,7 +2,7 @@
 
 use super::fitting::{Certified, certified};
 use super::place::{Placed, placed};
-use super::snapping::snapped;
+use super::snapping::{seen, snapped};
 use crate::base::{Base, BaseStages, Way};
 use crate::candidate::Candidate;
 use crate::input::Input;
@@ -22,8 +22,10 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let candidate = mended(&input.reference, candidate, options, run)?;
     NextStage::Snap.is_worth(candidate.n_faults(), candidate.n_triangles())?;
     let sharp = seen_edges(input, &candidate.relaxed.domain.mesh, options);
+    // However the base mesh is refined, the surface stays.
+    let seen = seen(&candidate.surface, &sharp);
     let finish = |candidate, run: &mut Run| {
-        let snapped = snapped(&input.reference, candidate, &sharp, &options.relax, run);
+        let snapped = snapped(&input.reference, candidate, &seen, &options.relax, run);
         joined(&input.reference, snapped, &options.relax.shape)
     };
     let candidate = followed(&input.reference, candidate, &sharp, options, run, finish)?;
@@ -113,7 +115,7 @@ mod tests {
     use super::*;
     use crate::candidate::Candidate;
     use crate::progress::Watch;
-    use mesh_core::{HalfedgeId, VertexId};
+    use mesh_core::VertexId;
 
     /// What is pulled off the surface in the first result gets base vertices; where a number is asked for it holds.
     #[test]
@@ -163,7 +165,7 @@ mod tests {
             let ends = [lowest, highest].into_iter().filter(|&v| !is_refined_at(&candidate, v));
             ends.for_each(|v| positions[v] *= 1.5);
             if is_refined_at(&candidate, highest) {
-                candidate.faults.flipped.extend(candidate.relaxed.domain.topology.fan(highest).map(HalfedgeId::face).take(1));
+                candidate.faults.flipped.extend(candidate.relaxed.domain.topology.faces_at(highest).take(1));
             }
             candidate.relaxed.domain.mesh = candidate.relaxed.domain.mesh.with_positions(positions.into_vec()).unwrap();
             Ok(candidate)

@@ -60,7 +60,7 @@ pub(crate) fn followed(
         missed(input, sharp, candidate, accepted)
     };
     let mut last = missed(&best);
-    let mut least = last.badness();
+    let mut least = last.clone();
     let base_edge = f64::from(1 << options.levels()) * mean_edge(&now.relaxed.domain.mesh);
     let mut spoilt = Spoilt { middles: Vec::new(), reach: AROUND * base_edge };
     let mut in_vain = 0;
@@ -85,8 +85,8 @@ pub(crate) fn followed(
         if in_vain > MOST_IN_VAIN {
             break;
         }
-        if missed.badness().is_less_than(least) {
-            (best, least) = (finished, missed.badness());
+        if missed.is_less_than(&least) {
+            (best, least) = (finished, missed.clone());
         }
         (now, last) = (refined, missed);
     }
@@ -115,6 +115,7 @@ impl Spoilt {
 }
 
 /// Where a result misses the input, or a sharp edge of it, or cuts itself where the input does not.
+#[derive(Clone)]
 struct Misses {
     /// The triangles there, in rising order.
     faces: Vec<FaceId>,
@@ -123,24 +124,10 @@ struct Misses {
 }
 
 impl Misses {
-    fn badness(&self) -> Badness {
-        Badness { greatest: self.greatest, triangles: self.faces.len() }
-    }
-}
-
-/// How bad it is what a result misses.
-#[derive(Clone, Copy)]
-struct Badness {
-    /// The greatest distance over the accepted one.
-    greatest: f64,
-    triangles: usize,
-}
-
-impl Badness {
     /// Distance first, then how many triangles miss something: of a place that stays as it is the distance changes by rounding alone.
-    fn is_less_than(self, other: Self) -> bool {
+    fn is_less_than(&self, other: &Self) -> bool {
         let is_as_far = (self.greatest - other.greatest).abs() <= AS_FAR * other.greatest;
-        if is_as_far { self.triangles < other.triangles } else { self.greatest < other.greatest }
+        if is_as_far { self.faces.len() < other.faces.len() } else { self.greatest < other.greatest }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::candidate::Candidate;
 use crate::{Error, Options};
 use certify::Reference;
 use glam::DVec3;
-use mesh_core::{FaceId, HalfedgeId, IdVec, Place, VertexId, place};
+use mesh_core::{FaceId, IdVec, Place, VertexId, place};
 use region_map::{ArcId, ArcSpan, Attachment, CornerId, Domain, RegionMap, Surface};
 use relax::{RelaxError, Relaxed, ShapeOptions, relax_around};
 use std::collections::{BTreeMap, BTreeSet};
@@ -103,8 +103,7 @@ pub(crate) fn joined(input: &Reference, before: Candidate, options: &ShapeOption
     }
     let places = positions.clone();
     let has_moved = |v: &VertexId| places[*v] != mesh.position(*v);
-    let at_moved: Vec<FaceId> =
-        held.iter().filter(|v| has_moved(v)).flat_map(|&v| topology.fan(v).map(HalfedgeId::face)).collect();
+    let at_moved: Vec<FaceId> = held.iter().filter(|v| has_moved(v)).flat_map(|&v| topology.faces_at(v)).collect();
     let moved =
         Domain { mesh: mesh.with_positions(positions.into_vec()).map_err(RelaxError::from)?, topology: topology.clone(), region };
     let relaxed = relax_around(&before.surface, &moved, &at_moved, REACH, &held, options)?;
