@@ -7,7 +7,7 @@ use crate::trial::{Estimate, Site, Trial};
 use mesh_core::VertexId;
 use rayon::prelude::*;
 use region_map::BaseEdit;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Where the sizing field asks for less than this share of the full length no vertex is taken away: the model spot lost a limb
 /// that way. Less lets more vertices move to where shapes need them.
@@ -48,27 +48,38 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
         (split.gain + trial.gain > self.options.least_exchange_gain).then_some(site)
     }
 
-    /// Estimates all splits and removals that are not, or not as things are now.
+    /// Estimates all splits and removals that were not estimated before. What a site was estimated to gain holds, about, as long as it is there: only
+    /// before it is tried it is asked for anew.
     fn estimate_sites(&mut self) {
-        let mut estimated = std::mem::take(&mut self.estimated);
-        estimated.retain(|_, e| self.is_unchanged(&e.region, e.at));
         let is_worth = |e: &[VertexId; 2]| self.cost_beside(*e) > LEAST_WORTH;
         let edges = self.base.edges().into_iter().filter(is_worth).map(Site::Edge);
         let removable = self.base.vertices().filter(|&v| self.is_spare(v)).map(Site::Vertex);
-        let sites: Vec<Site> = edges.chain(removable).filter(|s| !estimated.contains_key(s)).collect();
+        let sites: BTreeSet<Site> = edges.chain(removable).collect();
+        self.estimated.retain(|site, _| sites.contains(site));
+        let new: Vec<Site> = sites.into_iter().filter(|site| !self.estimated.contains_key(site)).collect();
+        self.estimate(&new);
+    }
+
+    /// Estimates splits and removals as things are now. Those that cannot be done are forgotten.
+    fn estimate(&mut self, sites: &[Site]) {
         self.found.tries += sites.len();
         // Splits that were estimated before keep the numbers that they have.
         let first = self.n_middles;
-        self.n_middles += NEW_VERTICES * sites.iter().filter(|s| matches!(s, Site::Edge(_))).count();
+        self.n_middles += NEW_VERTICES * sites.len();
         let estimate = |(i, &site): (usize, &Site)| {
             let change = match site {
                 Site::Edge(e) => split(&self.base, e, first + NEW_VERTICES * i),
                 Site::Vertex(v) => removal(&self.base, v),
             };
-            Some((site, Estimate::new(&self.base, change?, self.options, self.clock)))
+            (site, change.map(|change| Estimate::new(&self.base, change, self.options, self.clock)))
         };
-        estimated.extend(sites.par_iter().enumerate().filter_map(estimate).collect::<Vec<_>>());
-        self.estimated = estimated;
+        let estimates: Vec<_> = sites.par_iter().enumerate().map(estimate).collect();
+        for (site, estimate) in estimates {
+            match estimate {
+                Some(estimate) => drop(self.estimated.insert(site, estimate)),
+                None => drop(self.estimated.remove(&site)),
+            }
+        }
     }
 
     /// Tries the splits and removals that may come to be done: the best of both, as long as both together are expected to gain enough.
@@ -79,6 +90,12 @@ impl<F: FnMut(&BaseEdit) -> bool + Sync> Search<'_, F> {
             let new: Vec<Site> = self.expected(&tried).into_iter().filter(|site| !tried.contains_key(site)).collect();
             if new.is_empty() {
                 break;
+            }
+            let is_old = |site: &Site| self.estimated.get(site).is_none_or(|e| !self.is_unchanged(&e.region, e.at));
+            let old: Vec<Site> = new.iter().copied().filter(is_old).collect();
+            if !old.is_empty() {
+                self.estimate(&old);
+                continue;
             }
             let trial = |site: &Site| {
                 let change = self.estimated.get(site)?.change.clone();
@@ -131,34 +148,61 @@ mod tests {
     use crate::ReconnectOptions;
     use crate::editable_base::EditableBase;
     use crate::flip::flip;
+    use mesh_core::Id as _;
     use region_map::{Domain, Sizing, Surface};
     use relax::parts::Whole;
 
-    /// After an edit, what is remembered of a site is still what a new try of it finds.
-    #[test]
-    fn what_is_remembered_is_true() {
+    /// Runs a test on a search that begins on a sphere of 16 sides, where all edits are carried out.
+    fn on_sphere(test: impl FnOnce(Search<'_, fn(&BaseEdit) -> bool>)) {
         let base = Domain::identity(&Surface::smooth(fixtures::uv_sphere(16)).unwrap());
         let surface = Surface::smooth(subdiv::subdivide(&base, 1).unwrap().domain.mesh).unwrap();
         let domain = Domain::identity(&surface);
         let (whole, options) = (Whole::new(&surface, &domain).unwrap(), ReconnectOptions::default());
         let base = EditableBase::new(&whole, &domain, &options.shape).unwrap();
         let sizing = Sizing::uniform(surface.mesh());
-        let mut search = Search::new(base, &sizing, &options, surface.interrupt().clone(), |_| true);
-        search.estimate_sites();
-        search.try_sites();
-        let mut edges = search.base.edges().into_iter();
-        let trial = edges.find_map(|edge| Trial::new(&search.base, flip(&search.base, edge)?, search.options, search.clock));
-        search.carry_out(trial.unwrap());
-        let change = |site: &Site| match *site {
-            Site::Edge(edge) => split(&search.base, edge, search.n_middles),
-            Site::Vertex(v) => removal(&search.base, v),
-        };
-        let estimate = |site| Estimate::new(&search.base, change(site).unwrap(), search.options, search.clock).gain;
-        let hold: Vec<_> = search.estimated.iter().filter(|(_, e)| search.is_unchanged(&e.region, e.at)).collect();
-        assert!(hold.iter().all(|(site, e)| estimate(site) == e.gain));
-        let gain = |site| Trial::new(&search.base, change(site)?, search.options, search.clock).map(|t| t.gain);
-        assert!(search.tried.iter().filter(|(_, t)| search.holds(t)).all(|(site, t)| gain(site) == Some(t.gain)));
-        let n = search.estimated.len();
-        assert!(!hold.is_empty() && hold.len() < n, "{} of {n} hold", hold.len());
+        test(Search::new(base, &sizing, &options, surface.interrupt().clone(), |_| true));
+    }
+
+    /// After an edit, what is remembered of a site is still what a new try of it finds.
+    #[test]
+    fn what_is_remembered_is_true() {
+        on_sphere(|mut search| {
+            search.estimate_sites();
+            search.try_sites();
+            let mut edges = search.base.edges().into_iter();
+            let trial = edges.find_map(|edge| Trial::new(&search.base, flip(&search.base, edge)?, search.options, search.clock));
+            search.carry_out(trial.unwrap());
+            let change = |site: &Site| match *site {
+                Site::Edge(edge) => split(&search.base, edge, search.n_middles),
+                Site::Vertex(v) => removal(&search.base, v),
+            };
+            let estimate = |site| Estimate::new(&search.base, change(site).unwrap(), search.options, search.clock).gain;
+            let hold: Vec<_> = search.estimated.iter().filter(|(_, e)| search.is_unchanged(&e.region, e.at)).collect();
+            assert!(hold.iter().all(|(site, e)| estimate(site) == e.gain));
+            let gain = |site| Trial::new(&search.base, change(site)?, search.options, search.clock).map(|t| t.gain);
+            assert!(search.tried.iter().filter(|(_, t)| search.holds(t)).all(|(site, t)| gain(site) == Some(t.gain)));
+            let n = search.estimated.len();
+            assert!(!hold.is_empty() && hold.len() < n, "{} of {n} hold", hold.len());
+        });
+    }
+
+    /// However often splits are estimated anew, no two of them number a new vertex alike: both may be done.
+    #[test]
+    fn new_vertices_have_numbers_of_their_own() {
+        on_sphere(|mut search| {
+            search.estimate_sites();
+            let mut sites: Vec<Site> = search.estimated.keys().copied().collect();
+            sites.reverse();
+            search.estimate(&sites[..sites.len() / 2]);
+            search.estimate(&sites[sites.len() / 2..]);
+            let known = search.base.placed.len();
+            let moved = search.estimated.values().flat_map(|estimate| estimate.change.moved.iter().map(|moved| moved.0));
+            let mut new: Vec<VertexId> = moved.filter(|v| v.index() >= known).collect();
+            let n = new.len();
+            new.sort_unstable();
+            new.dedup();
+            assert!(n > 0 && new.len() == n, "{} of {n}", new.len());
+            assert!(new.iter().all(|v| v.index() < search.n_middles));
+        });
     }
 }

@@ -30,9 +30,9 @@ pub(crate) struct Search<'a, F> {
     /// Counts the edits; and when each face was last changed.
     pub(crate) clock: usize,
     changed: Vec<usize>,
-    /// Splits and removals that were estimated. As long as all around them stays as it was that need not be done again.
+    /// Splits and removals that were estimated, some of them before things changed around them.
     pub(crate) estimated: BTreeMap<Site, Estimate>,
-    /// Those of them that were tried.
+    /// Those of them that were tried, with all around them as it is now.
     pub(crate) tried: BTreeMap<Site, Trial>,
 }
 

@@ -34,6 +34,8 @@ pub enum Remedy {
     RelaxPlaces(f64),
     /// Edges of the base mesh bisected under faulty triangles, or where the input is missed.
     BisectBase(EdgeChoice),
+    /// The creases beside faulty triangles let go of.
+    ReleaseCreases,
     /// Finest edges snapped to bends and minor creases.
     Snap,
     /// The same, without the bends and creases beside triangles that did not bear it.
@@ -79,6 +81,7 @@ impl fmt::Display for Remedy {
             Self::BisectBase(EdgeChoice::AtTip) => write!(f, "base edges at the tips of faulty triangles bisected"),
             Self::BisectBase(EdgeChoice::Shortest) => write!(f, "shortest base edges bisected under faulty triangles"),
             Self::BisectBase(EdgeChoice::OnArc) => write!(f, "base edges bisected where the input is missed"),
+            Self::ReleaseCreases => write!(f, "creases beside faulty triangles let go of"),
             Self::Snap => write!(f, "snapped to bends and minor creases"),
             Self::LetGoCreases => write!(f, "snapped without the creases beside poor triangles"),
             Self::Fit => write!(f, "fitted"),

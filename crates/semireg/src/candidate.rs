@@ -27,6 +27,8 @@ pub(crate) struct Candidate {
     pub(crate) faults: Faults,
     /// Vertices that stand off the surface in the end, where some of the triangles have no area on it.
     pub(crate) raised: Raised,
+    /// Whether creases of the network were let go of for the finest level. The base mesh keeps them, and can't be refined any more.
+    pub(crate) is_released: bool,
     /// What the finest level was snapped to.
     pub(crate) snapped: SnapCounts,
     /// Why it was not, though there is something to snap to.
@@ -46,6 +48,7 @@ impl Candidate {
             relaxed,
             faults,
             raised,
+            is_released: false,
             snapped: SnapCounts::default(),
             unsnapped: None,
         }

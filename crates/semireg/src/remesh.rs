@@ -96,7 +96,7 @@ fn based(soup: &Soup, options: &Options, watch: Watch) -> Result<Based, Error> {
 fn best_of_plan(input: &Input, options: &Options, run: &mut Run) -> Result<Remeshed, Error> {
     let budget = Budget::new(input.asked, input.levels);
     let sized = Options { levels: Some(input.levels), ..options.clone() };
-    let mut tries = Tries { input, options: &sized, budget, needed: 0, best: Best::new() };
+    let mut tries = Tries { input, options: &sized, budget, needed: 0, times: 1.0, best: Best::new() };
     let start = Instant::now();
     match only_base(input, &sized, run) {
         Some(made) => drop(tries.only(made, start, run)),
@@ -120,26 +120,34 @@ struct Tries<'a> {
     budget: Budget,
     /// Base vertices that corners and arcs took so far at most.
     needed: usize,
+    /// How many times the base vertices asked for were tried at most.
+    times: f64,
     best: Best<Remeshed>,
 }
 
 impl Tries<'_> {
     /// Tries the settings of the plan until a result has all parts of the input. Where neither base vertices nor levels are `asked` for, the finest base
-    /// mesh comes second.
+    /// mesh comes second, or first where the others are too coarse.
     fn plan(&mut self, asked: &Options, run: &mut Run) -> ControlFlow<()> {
         let is_size_ours = asked.base_vertices.is_none() && asked.levels.is_none();
-        let finer = finest(self.input.asked, self.options.levels()).filter(|_| is_size_ours);
-        for (i, (remedy, setting)) in PLAN.iter().enumerate() {
-            if let Some(step) = finer.filter(|step| i == 1 && self.budget.bears(*step)) {
-                self.grown(step, run)?;
-            }
-            self.setting(*remedy, setting, run)?;
+        let mut finer = finest(self.input.asked, self.options.levels()).filter(|_| is_size_ours);
+        for (remedy, setting) in &PLAN {
+            self.setting(*remedy, setting, &mut finer, run)?;
+            self.finer(&mut finer, run)?;
         }
         ControlFlow::Continue(())
     }
 
-    /// Tries the base meshes of a setting. Breaks where nothing more shall be tried.
-    fn setting(&mut self, remedy: Remedy, setting: &Setting, run: &mut Run) -> ControlFlow<()> {
+    /// Tries the finest base mesh, once. Breaks where nothing more shall be tried.
+    fn finer(&mut self, finer: &mut Option<Growth>, run: &mut Run) -> ControlFlow<()> {
+        match finer.take().filter(|step| self.budget.bears(*step)) {
+            Some(step) => self.grown(step, run),
+            None => ControlFlow::Continue(()),
+        }
+    }
+
+    /// Tries the base meshes of a setting, and before them the finer one if they are too coarse. Breaks where nothing more shall be tried.
+    fn setting(&mut self, remedy: Remedy, setting: &Setting, finer: &mut Option<Growth>, run: &mut Run) -> ControlFlow<()> {
         let budget = self.budget;
         let admits = |vertices, faces| budget.admits(vertices, faces);
         let mut start = Instant::now();
@@ -147,6 +155,10 @@ impl Tries<'_> {
             Ok(proposals) => proposals,
             Err(e) => return self.no_base(remedy, e, start, run),
         };
+        if finer.is_some() && proposals.are_coarse(run) {
+            self.finer(finer, run)?;
+            start = Instant::now();
+        }
         for remedy in [remedy, Remedy::OtherBase] {
             if self.budget.is_spent() {
                 return ControlFlow::Break(());
@@ -166,12 +178,15 @@ impl Tries<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Tries more base vertices as long as the best result is too coarse for the shape, and they help much.
+    /// Tries more base vertices than before as long as the best result is too coarse for the shape, and they help much.
     fn grow(&mut self, are_levels_ours: bool, run: &mut Run) {
         let Some(Verdict::Short { shortcomings }) = self.best.verdict() else { return };
         let is_poor = shortcomings.iter().any(|s| matches!(s, Shortcoming::MeanShape(_) | Shortcoming::LeastShape(_)));
         for step in growth(self.input.asked, self.options.levels(), are_levels_ours, is_poor) {
             let Some(before) = self.best.verdict().cloned() else { return };
+            if step.times <= self.times {
+                continue;
+            }
             if !matches!(before, Verdict::Short { .. }) || !self.budget.bears(step) {
                 return;
             }
@@ -184,6 +199,7 @@ impl Tries<'_> {
 
     /// Tries a base mesh with more vertices. Breaks where nothing more shall be tried.
     fn grown(&mut self, step: Growth, run: &mut Run) -> ControlFlow<()> {
+        self.times = self.times.max(step.times);
         let (start, setting) = (Instant::now(), step.setting());
         let options = Options { levels: Some(step.levels), ..self.options.clone() };
         let made = Proposals::new(self.input, &options, &setting, self.needed, &|_, _| Ok(()), run);

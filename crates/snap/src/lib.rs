@@ -3,7 +3,7 @@
 //! The network has only what the base mesh can follow. [`snap`] refines it for the finest level: where an edge cuts off a bend of
 //! an arc, the vertex of the bend becomes a corner, and creases that were left out become arcs, each along a path of edges of the
 //! finest level. So they cost no base vertex, and what holds for all arcs and corners holds for them: vertices slide along arcs,
-//! nothing crosses them, and normals are one-sided.
+//! nothing crosses them, and normals are one-sided. [`release`] is the way back, for arcs that the domain cannot follow.
 //!
 //! ```
 //! use mesh_core::{TriMesh, VertexId};
@@ -33,6 +33,7 @@ mod minor;
 mod options;
 mod path;
 mod poor;
+mod release;
 mod retarget;
 mod sector;
 mod snap;
@@ -40,4 +41,5 @@ mod snap;
 pub use error::SnapError;
 pub use let_go::LetGo;
 pub use options::SnapOptions;
+pub use release::release;
 pub use snap::{Bend, Snapped, Track, snap};

@@ -41,7 +41,7 @@ fn finer_network(assignment: &Assignment) -> Result<Network, SnapError> {
 }
 
 /// For every edge on an arc which edge of the arc it is, from its beginning.
-fn places_on_arcs(topology: &Topology, network: &Network) -> IdVec<EdgeId, Option<usize>> {
+pub(crate) fn places_on_arcs(topology: &Topology, network: &Network) -> IdVec<EdgeId, Option<usize>> {
     let mut places = IdVec::filled(None, topology.n_edges());
     for arc in &network.arcs {
         for (i, &h) in arc.halfedges.iter().enumerate() {
@@ -52,7 +52,7 @@ fn places_on_arcs(topology: &Topology, network: &Network) -> IdVec<EdgeId, Optio
 }
 
 /// A span of an arc on the arc of the finer network that its middle lies on.
-fn moved_span(
+pub(crate) fn moved_span(
     old: &Arc,
     span: &ArcSpan,
     network: &Network,
@@ -93,7 +93,7 @@ fn add_piece(FollowedPiece { piece, path }: &FollowedPiece, assignment: &Assignm
 }
 
 /// Attaches all vertices that have spans, and those at corners.
-fn attach(network: &Network, assignment: &Assignment, region: &mut RegionMap) {
+pub(crate) fn attach(network: &Network, assignment: &Assignment, region: &mut RegionMap) {
     for (&[a, b], span) in &region.spans {
         for (v, t) in [(a, span.from), (b, span.to)] {
             region.attachments[v] = Attachment::Arc { arc: span.arc, t: network.arcs[span.arc].normalise(t) };
@@ -114,7 +114,7 @@ fn attach(network: &Network, assignment: &Assignment, region: &mut RegionMap) {
 }
 
 /// The sheet of every domain face: from the arcs around its part of the domain, or where there are none from a vertex' point.
-fn sheets(topology: &Topology, network: &Network, region: &RegionMap) -> IdVec<FaceId, SheetId> {
+pub(crate) fn sheets(topology: &Topology, network: &Network, region: &RegionMap) -> IdVec<FaceId, SheetId> {
     let on_arc = |e| {
         let [a, b] = topology.ends(e);
         region.span(a, b)

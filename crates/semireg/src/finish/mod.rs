@@ -9,3 +9,6 @@ mod whole;
 
 pub(crate) use paper::paper_finished;
 pub(crate) use whole::finished;
+
+#[cfg(test)]
+pub(crate) use place::first_candidate;

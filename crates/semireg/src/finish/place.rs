@@ -34,7 +34,7 @@ pub(super) fn placed(input: &Input, stages: &BaseStages, options: &Options, run:
 
 /// The input of a mesh, and the finest level of its first base mesh, for tests of what comes after.
 #[cfg(test)]
-pub(super) fn first_candidate(mesh: &TriMesh, options: &Options, run: &mut Run) -> (Input, Candidate) {
+pub(crate) fn first_candidate(mesh: &TriMesh, options: &Options, run: &mut Run) -> (Input, Candidate) {
     let input = Input::new(&mesh.to_soup(), options, run).unwrap();
     let setting = &crate::rescue::PLAN[0].1;
     let mut proposals = crate::base::Proposals::new(&input, options, setting, 0, &|_, _| Ok(()), run).unwrap();

@@ -31,6 +31,9 @@ pub(crate) fn finished(input: &Input, stages: &BaseStages, options: &Options, ru
     let candidate = followed(&input.reference, candidate, &sharp, options, run, finish)?;
     let mut warnings = stages.warnings.clone();
     warnings.extend(candidate.unsnapped.iter().map(|why| format!("bends and minor creases were left as they came out: {why}")));
+    if candidate.is_released {
+        warnings.push("creases are not followed in full where triangles beside them would have folded".into());
+    }
     warnings.extend(candidate.raised.warning(input.reference.diagonal()));
     candidate.check()?;
     let certified = certified(&input.reference, &candidate, options, run, &mut warnings);
