@@ -73,8 +73,8 @@ proptest! {
         }
         let twice = clean(&once.mesh.to_soup(), &CleanOptions::default()).unwrap();
         prop_assert_eq!(once.mesh, twice.mesh);
-        // T-vertices are told of each time, as they stay.
-        prop_assert_eq!(twice.report, CleanReport { open_t_vertices: once.report.open_t_vertices, ..CleanReport::default() });
+        // T-vertices stay, and are told of each time. They are looked for before repeated triangles go: the edge of one may be a border only the second time.
+        prop_assert_eq!(CleanReport { open_t_vertices: 0, ..twice.report }, CleanReport::default());
     }
 
     #[test]
