@@ -6,8 +6,8 @@ use mesh_core::{FaceId, TriMesh, VertexId, aspect_ratio};
 use region_map::{Attachment, Domain, Surface};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A vertex stands at most this share of the input's diagonal off the surface, about as far as the fit moves some. More takes thin parts for
-/// others: with .002 a figure was .006 from the input at its mouth. With .0001 as many more are refused.
+/// A vertex stands at most this share of the input's diagonal off the surface, about as far as the fit moves some. More pulls triangles
+/// onto sheets beside their own: with .002 a figure was .006 from the input at its mouth. With less, more results are refused.
 const MOST: f64 = 6e-4;
 /// Offsets that are tried each way: the greatest, half of it, and so on.
 const TRIED: i32 = 8;

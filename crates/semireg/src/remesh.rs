@@ -130,24 +130,23 @@ impl Tries<'_> {
     /// mesh comes second, or first where the others are too coarse.
     fn plan(&mut self, asked: &Options, run: &mut Run) -> ControlFlow<()> {
         let is_size_ours = asked.base_vertices.is_none() && asked.levels.is_none();
-        let mut finer = finest(self.input.asked, self.options.levels()).filter(|_| is_size_ours);
+        let finer = finest(self.input.asked, self.options.levels()).filter(|_| is_size_ours);
         for (remedy, setting) in &PLAN {
-            self.setting(*remedy, setting, &mut finer, run)?;
-            self.finer(&mut finer, run)?;
+            self.setting(*remedy, setting, self.untried(finer), run)?;
+            if let Some(step) = self.untried(finer) {
+                self.grown(step, run)?;
+            }
         }
         ControlFlow::Continue(())
     }
 
-    /// Tries the finest base mesh, once. Breaks where nothing more shall be tried.
-    fn finer(&mut self, finer: &mut Option<Growth>, run: &mut Run) -> ControlFlow<()> {
-        match finer.take().filter(|step| self.budget.bears(*step)) {
-            Some(step) => self.grown(step, run),
-            None => ControlFlow::Continue(()),
-        }
+    /// A finer base mesh, if none as fine was tried and the budget bears it.
+    fn untried(&self, finer: Option<Growth>) -> Option<Growth> {
+        finer.filter(|step| step.times > self.times && self.budget.bears(*step))
     }
 
     /// Tries the base meshes of a setting, and before them the finer one if they are too coarse. Breaks where nothing more shall be tried.
-    fn setting(&mut self, remedy: Remedy, setting: &Setting, finer: &mut Option<Growth>, run: &mut Run) -> ControlFlow<()> {
+    fn setting(&mut self, remedy: Remedy, setting: &Setting, finer: Option<Growth>, run: &mut Run) -> ControlFlow<()> {
         let budget = self.budget;
         let admits = |vertices, faces| budget.admits(vertices, faces);
         let mut start = Instant::now();
@@ -155,8 +154,10 @@ impl Tries<'_> {
             Ok(proposals) => proposals,
             Err(e) => return self.no_base(remedy, e, start, run),
         };
-        if finer.is_some() && proposals.are_coarse(run) {
-            self.finer(finer, run)?;
+        if let Some(step) = finer
+            && proposals.are_coarse(run)
+        {
+            self.grown(step, run)?;
             start = Instant::now();
         }
         for remedy in [remedy, Remedy::OtherBase] {

@@ -2,10 +2,10 @@
 
 use crate::SnapError;
 use crate::assignment::Assignment;
-use crate::retarget::{attach, moved_span, places_on_arcs, sheets};
+use crate::retarget::{attach, sheets, with_moved_spans};
 use mesh_core::{IdVec, VertexId};
-use region_map::{ArcId, ArcKind, Attachment, CornerId, Domain, Network, RegionMap, Surface};
-use std::collections::{BTreeMap, BTreeSet};
+use region_map::{ArcId, ArcKind, Attachment, CornerId, Domain, Network, Surface};
+use std::collections::BTreeSet;
 
 /// Makes minor creases of some arcs. The vertices of the domain that were on them, and at corners where no other arc ends, are inside
 /// a sheet from then on; nothing moves. Sheets that met along such an arc are one.
@@ -17,20 +17,15 @@ use std::collections::{BTreeMap, BTreeSet};
 pub fn release(surface: &Surface, domain: &Domain, arcs: &BTreeSet<ArcId>) -> Result<(Surface, Domain), SnapError> {
     domain.check(surface.network())?;
     let network = coarser_network(surface, arcs)?;
-    let mut region = RegionMap { spans: BTreeMap::new(), ..domain.region.clone() };
-    let places = places_on_arcs(surface.topology(), &network);
-    for (&[a, b], span) in &domain.region.spans {
-        if let Some(span) = moved_span(&surface.network().arcs[span.arc], span, &network, &places, surface.topology()) {
-            region.insert_span(a, b, span);
-        }
-    }
+    let assignment = Assignment::new(surface, domain);
+    let mut region = with_moved_spans(&assignment, &network);
     region.sheet_of_face = sheets(&domain.topology, &network, &region);
     for v in region.vertices() {
         if let Some(f) = domain.topology.faces_at(v).next() {
             region.attachments[v] = Attachment::Sheet(region.sheet_of_face[f]);
         }
     }
-    attach(&network, &Assignment::new(surface, domain), &mut region);
+    attach(&network, &assignment, &mut region);
     region.check(&domain.topology, &network)?;
     Ok((surface.with_network(network)?, Domain { region, ..domain.clone() }))
 }

@@ -12,20 +12,27 @@ use std::collections::BTreeMap;
 pub(crate) fn retarget(assignment: &Assignment) -> Result<(Surface, Domain), SnapError> {
     let Assignment { surface, domain, .. } = *assignment;
     let network = finer_network(assignment)?;
-    let mut region = RegionMap { spans: BTreeMap::new(), ..domain.region.clone() };
-    let places = places_on_arcs(surface.topology(), &network);
-    for (&[a, b], span) in assignment.spans() {
-        let old = &surface.network().arcs[span.arc];
-        if let Some(span) = moved_span(old, span, &network, &places, surface.topology()) {
-            region.insert_span(a, b, span);
-        }
-    }
+    let mut region = with_moved_spans(assignment, &network);
     assignment.pieces().iter().for_each(|followed| add_piece(followed, assignment, &network, &mut region));
     attach(&network, assignment, &mut region);
     region.sheet_of_face = sheets(&domain.topology, &network, &region);
     place(assignment, &network, &mut region);
     region.check(&domain.topology, &network)?;
     Ok((surface.with_network(network)?, domain.placed(surface, region)?))
+}
+
+/// The region map of the domain with its spans on another network of the same surface. Those on arcs that this has not are left out; all else is as it was.
+pub(crate) fn with_moved_spans(assignment: &Assignment, network: &Network) -> RegionMap {
+    let Assignment { surface, domain, .. } = *assignment;
+    let mut region = RegionMap { spans: BTreeMap::new(), ..domain.region.clone() };
+    let places = places_on_arcs(surface.topology(), network);
+    for (&[a, b], span) in assignment.spans() {
+        let old = &surface.network().arcs[span.arc];
+        if let Some(span) = moved_span(old, span, network, &places, surface.topology()) {
+            region.insert_span(a, b, span);
+        }
+    }
+    region
 }
 
 fn finer_network(assignment: &Assignment) -> Result<Network, SnapError> {
@@ -41,7 +48,7 @@ fn finer_network(assignment: &Assignment) -> Result<Network, SnapError> {
 }
 
 /// For every edge on an arc which edge of the arc it is, from its beginning.
-pub(crate) fn places_on_arcs(topology: &Topology, network: &Network) -> IdVec<EdgeId, Option<usize>> {
+fn places_on_arcs(topology: &Topology, network: &Network) -> IdVec<EdgeId, Option<usize>> {
     let mut places = IdVec::filled(None, topology.n_edges());
     for arc in &network.arcs {
         for (i, &h) in arc.halfedges.iter().enumerate() {
@@ -51,8 +58,8 @@ pub(crate) fn places_on_arcs(topology: &Topology, network: &Network) -> IdVec<Ed
     places
 }
 
-/// A span of an arc on the arc of the finer network that its middle lies on.
-pub(crate) fn moved_span(
+/// A span of an arc on the arc of another network that its middle lies on.
+fn moved_span(
     old: &Arc,
     span: &ArcSpan,
     network: &Network,
