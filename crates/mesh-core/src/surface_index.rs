@@ -127,8 +127,13 @@ impl SurfaceIndex {
         if !leaf.faces_against(normal) {
             return false;
         }
-        let reach = nearest.distance + SHEET_DISTANCE * self.tree.bounds.map_or(0.0, |bounds| bounds.diagonal());
+        let reach = nearest.distance + self.sheet_distance();
         self.search(point, reach, None, |leaf| leaf.normal().dot(normal) > 0.0).is_none()
+    }
+
+    /// [`SHEET_DISTANCE`] as a length: two sheets that are no farther apart are in the same place.
+    pub fn sheet_distance(&self) -> f64 {
+        SHEET_DISTANCE * self.tree.bounds.map_or(0.0, |bounds| bounds.diagonal())
     }
 
     /// Whether the face nearest to `point` faces against `normal` (of any length), whatever other sheets are in the same place.

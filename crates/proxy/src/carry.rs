@@ -1,7 +1,7 @@
 //! A domain on the proxy, brought to the surface that the proxy stands for.
 
 use crate::{Proxy, ProxyError};
-use mesh_core::{IdVec, SurfacePoint, TriMesh, VertexId};
+use mesh_core::{FaceId, IdVec, SurfacePoint, TriMesh, VertexId};
 use rayon::prelude::*;
 use region_map::{ArcId, ArcSpan, Attachment, Domain, RegionMap, SheetId, Surface};
 
@@ -60,7 +60,8 @@ impl Proxy {
         rounds * whole + there[i] + s * (there[i + 1] - there[i])
     }
 
-    /// The place in a sheet of the dense surface of a vertex of the domain. It faces as the proxy does there, if any near it does.
+    /// The place in a sheet of the dense surface of a vertex of the domain: among what was merged near it, however near other parts of the sheet lie in
+    /// space. It faces as the proxy does there, if any near it does.
     fn nearest(&self, domain: &Domain, v: VertexId, dense: &Surface, sheet: SheetId) -> Result<SurfacePoint, ProxyError> {
         let point = domain.region.points[v];
         if self.surface.mesh().faces().get(point.face).is_none() {
@@ -68,13 +69,25 @@ impl Proxy {
         }
         let (position, normal) = (point.position(self.surface.mesh()), self.surface.normals().at(point));
         let index = dense.sheet_index(sheet).ok_or(ProxyError::NotOfSurface)?;
-        let faces_alike = |f| dense.mesh().normal(f).dot(normal) > 0.0;
-        let closest = index.closest_where(position, faces_alike).or_else(|| index.closest(position));
-        let closest = closest.ok_or(ProxyError::NotOfSurface)?;
+        let around = self.around(point.face);
+        let is_near = |f: FaceId| dense.mesh().face(f).iter().any(|&v| around.binary_search(&self.stands_for[v]).is_ok());
+        let faces_alike = |f: FaceId| dense.mesh().normal(f).dot(normal) > 0.0 && is_near(f);
+        let closest = index.closest_where(position, faces_alike).or_else(|| index.closest_where(position, is_near));
+        let closest = closest.or_else(|| index.closest(position)).ok_or(ProxyError::NotOfSurface)?;
         // Neighbours meet at a ridge where each goes to its nearest point; along the normals of the proxy they stay apart.
         let hits = index.first_hits_both_ways(position, normal).into_iter().flatten();
         let near = hits.filter(|hit| hit.t <= FARTHER * closest.distance && faces_alike(hit.face));
         Ok(near.min_by(|a, b| a.t.total_cmp(&b.t)).map_or(closest.point(), |hit| hit.point()))
+    }
+
+    /// The corners of a face of the proxy and their neighbours, in rising order.
+    fn around(&self, face: FaceId) -> Vec<VertexId> {
+        let topology = self.surface.topology();
+        let faces = self.surface.mesh().face(face).into_iter().flat_map(|v| topology.faces_at(v));
+        let mut around: Vec<VertexId> = faces.flat_map(|f| self.surface.mesh().face(f)).collect();
+        around.sort_unstable();
+        around.dedup();
+        around
     }
 }
 
@@ -82,5 +95,5 @@ impl Proxy {
 fn at_vertex(surface: &Surface, v: VertexId) -> SurfacePoint {
     // Every vertex of a surface has a face.
     let h = surface.topology().fan(v).next();
-    h.map_or(SurfacePoint::at_corner(mesh_core::FaceId(0), 0), |h| SurfacePoint::at_corner(h.face(), h.corner()))
+    h.map_or(SurfacePoint::at_corner(FaceId(0), 0), |h| SurfacePoint::at_corner(h.face(), h.corner()))
 }

@@ -13,6 +13,8 @@ pub struct Proxy {
     pub surface: Surface,
     /// For every vertex the vertex of the dense surface that it is.
     pub vertices: IdVec<VertexId, VertexId>,
+    /// For every vertex of the dense surface the vertex here that it was merged into.
+    pub(crate) stands_for: IdVec<VertexId, VertexId>,
     /// For every arc the arc lengths on the dense surface of its vertices here.
     pub(crate) arc_lengths: IdVec<ArcId, Vec<f64>>,
 }
@@ -33,13 +35,14 @@ impl Proxy {
         let vertices: IdVec<VertexId, VertexId> = alive.ids().filter(|&v| alive[v]).collect();
         let mut number = IdVec::filled(VertexId(u32::MAX), alive.len());
         vertices.enumerate().for_each(|(v, &dense)| number[dense] = v);
+        let stands_for = triangles.representatives().into_iter().map(|v| number[VertexId(v)]).collect();
         let source: Vec<FaceId> = (0..triangles.faces.len()).filter(|&f| triangles.faces[f].is_some()).map(FaceId::new).collect();
         let faces = triangles.faces.iter().flatten().map(|face| face.map(|v| number[VertexId(v)].0)).collect();
         let mesh = TriMesh::new(vertices.iter().map(|&v| surface.mesh().position(v)).collect(), faces)?;
         let topology = Topology::new(mesh.faces(), mesh.n_vertices())?;
         let (network, arc_lengths) = network(surface, &mesh, &topology, &number, &source)?;
         let surface = Surface::new(mesh, topology, network)?.with_interrupt(surface.interrupt().clone());
-        Ok(Self { surface, vertices, arc_lengths })
+        Ok(Self { surface, vertices, stands_for, arc_lengths })
     }
 
     /// A sizing field of the dense surface, at the vertices that are left.

@@ -32,6 +32,8 @@ pub(crate) struct Triangles<'a> {
     pub(crate) n_faces: usize,
     /// The triangles around every vertex; none where it is gone.
     around: Vec<Vec<u32>>,
+    /// The vertex that each was merged into; itself where it is there.
+    merged_into: Vec<u32>,
     pub(crate) freedoms: Vec<Freedom>,
 }
 
@@ -44,7 +46,14 @@ impl<'a> Triangles<'a> {
             face.iter().flatten().for_each(|&v| around[v as usize].push(f as u32));
         }
         let freedoms = freedoms(mesh.n_vertices(), surface.network());
-        Self { positions: mesh.positions().as_slice(), n_faces: faces.len(), faces, around, freedoms }
+        Self {
+            positions: mesh.positions().as_slice(),
+            n_faces: faces.len(),
+            faces,
+            around,
+            merged_into: (0..mesh.n_vertices() as u32).collect(),
+            freedoms,
+        }
     }
 
     pub(crate) fn position(&self, v: u32) -> DVec3 {
@@ -53,6 +62,22 @@ impl<'a> Triangles<'a> {
 
     pub(crate) fn is_there(&self, v: u32) -> bool {
         !self.around[v as usize].is_empty()
+    }
+
+    /// The vertex that stands for each: the one that it was merged into, with all that were merged into one another before.
+    pub(crate) fn representatives(&self) -> Vec<u32> {
+        let mut representatives = self.merged_into.clone();
+        for v in 0..representatives.len() {
+            let mut end = v;
+            while representatives[end] as usize != end {
+                end = representatives[end] as usize;
+            }
+            let mut at = v;
+            while at != end {
+                at = std::mem::replace(&mut representatives[at], end as u32) as usize;
+            }
+        }
+        representatives
     }
 
     fn faces_at(&self, v: u32) -> impl Iterator<Item = (u32, [u32; 3])> + '_ {
@@ -116,6 +141,7 @@ impl<'a> Triangles<'a> {
 
     /// Merges a vertex into a neighbour.
     pub(crate) fn merge(&mut self, from: u32, into: u32) {
+        self.merged_into[from as usize] = into;
         for f in std::mem::take(&mut self.around[from as usize]) {
             let Some(face) = self.faces[f as usize] else { continue };
             if face.contains(&into) {

@@ -1,6 +1,7 @@
 //! Proxies of shapes whose topology, size and creases are known, and domains brought back from them.
 
-use mesh_core::{SurfaceIndex, TriMesh};
+use glam::DVec3;
+use mesh_core::{SurfaceIndex, TriMesh, VertexId};
 use proxy::{Proxy, ProxyError, ProxyOptions};
 use region_map::{Attachment, Domain, Sizing, Surface};
 
@@ -93,6 +94,35 @@ fn what_is_carried_lies_on_the_dense_surface() {
                 assert!(dense.network().arcs[arc].position(dense.mesh(), t).distance(p) < 1e-12);
             }
         }
+    }
+}
+
+/// A sheet rolled up so tightly that chords of the proxy lie nearer to the next turn, which faces the same way, than to their own.
+#[test]
+fn what_is_carried_stays_in_its_turn_of_a_roll() {
+    const A_TURN: u32 = 96;
+    const ROWS: u32 = 7;
+    let n = 5 * A_TURN / 2;
+    let at = |(i, row): (u32, u32)| {
+        let turns = f64::from(i) / f64::from(A_TURN);
+        let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
+        ((1.0 + 0.02 * turns) * DVec3::new(cos, sin, 0.0)) + 0.05 * f64::from(row) * DVec3::Z
+    };
+    let positions = (0..=n).flat_map(|i| (0..ROWS).map(move |row| (i, row))).map(at).collect();
+    let quad = |(i, row): (u32, u32)| {
+        let [a, b] = [i * ROWS + row, (i + 1) * ROWS + row];
+        [[a, b, b + 1], [a, b + 1, a + 1]]
+    };
+    let faces = (0..n).flat_map(|i| (0..ROWS - 1).map(move |row| (i, row))).flat_map(quad).collect();
+    let (dense, proxy) = proxy(TriMesh::new(positions, faces).unwrap(), &options(60));
+    let finest = subdiv_once(&proxy);
+    let carried = proxy.carried(&finest, &dense).unwrap();
+    let along = |corners: [VertexId; 3]| corners.map(|v| v.0 / ROWS);
+    for v in carried.region.vertices() {
+        let wanted = along(proxy.surface.mesh().face(finest.region.points[v].face).map(|v| proxy.vertices[v]));
+        let found = along(dense.mesh().face(carried.region.points[v].face))[0];
+        let (least, most) = (wanted.into_iter().min().unwrap(), wanted.into_iter().max().unwrap());
+        assert!(found + A_TURN / 4 > least && found < most + A_TURN / 4, "vertex {v}: {found} is not in {least}..{most}");
     }
 }
 

@@ -10,7 +10,7 @@ use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
 use glam::DVec3;
-use mesh_core::{FaceId, Id as _, SHEET_DISTANCE, SurfaceIndex, VertexId, aspect_ratio, normal};
+use mesh_core::{FaceId, Id as _, SurfaceIndex, VertexId, aspect_ratio, normal};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
@@ -55,8 +55,7 @@ impl<'a> Mender<'a> {
         if qualities.iter().filter(|quality| **quality < SOUND).count() as f64 > self.most {
             return measured;
         }
-        let surface = self.domain.surface;
-        let sight = Sight { domain: self.domain, index: surface.index(), diagonal: surface.mesh().diagonal() };
+        let sight = Sight { domain: self.domain, index: self.domain.surface.index() };
         let in_sight = self.domain.of_faces(|f| sight.in_sight_of_surface(measured.placement(), f, qualities[f.index()]));
         let folds: Vec<FaceId> = self.domain.topology.faces().ids().filter(|f| in_sight[f.index()] < SOUND).collect();
         if folds.is_empty() {
@@ -105,7 +104,6 @@ impl<'a> Mender<'a> {
 struct Sight<'a> {
     domain: &'a MovableDomain<'a>,
     index: &'a SurfaceIndex,
-    diagonal: f64,
 }
 
 /// The worst of the triangles round a vertex, then the sum of all.
@@ -194,7 +192,7 @@ impl Sight<'_> {
 
     /// Is there another sheet in the same place that does not oppose?
     fn touches(&self, middle: DVec3, distance: f64, opposes: impl Fn(FaceId) -> bool) -> bool {
-        let reach = distance + SHEET_DISTANCE * self.diagonal;
+        let reach = distance + self.index.sheet_distance();
         self.index.closest_within_where(middle, reach, |g| !opposes(g)).is_some()
     }
 }

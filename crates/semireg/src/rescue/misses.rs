@@ -21,7 +21,7 @@ const MISSING: f64 = 0.5;
 const AS_FAR: f64 = 0.05;
 /// Rounds of bisection at most. Each halves the edges under what is missed, and so the distance or better.
 const ROUNDS: usize = 6;
-/// So many rounds one after the other may miss as much as those before: what is snapped to changes with each, and may be less for once.
+/// So many rounds one after the other may miss as much as the best before: what is snapped to changes with each, and may be less for once.
 const MOST_IN_VAIN: usize = 1;
 /// The base mesh grows by this share at most: where more is missed, the whole result is too coarse for the shape.
 const MOST_GROWTH: f64 = 0.5;
@@ -80,13 +80,13 @@ pub(crate) fn followed(
             continue;
         }
         let missed = missed(&finished);
-        let helps = missed.greatest < last.greatest || missed.faces.len() < last.faces.len();
-        in_vain = if helps { 0 } else { in_vain + 1 };
+        if missed.is_less_than(&least) {
+            (best, least, in_vain) = (finished, missed.clone(), 0);
+        } else {
+            in_vain += 1;
+        }
         if in_vain > MOST_IN_VAIN {
             break;
-        }
-        if missed.is_less_than(&least) {
-            (best, least) = (finished, missed.clone());
         }
         (now, last) = (refined, missed);
     }
