@@ -186,7 +186,7 @@ fn a_domain_of_corners_alone_stays() {
     assert!(bed.surface.network().n_sheets == 6 && relaxed.domain.region.sheet_of_face.iter().all(|s| *s < SheetId(6)));
 }
 
-/// A vertex a billionth of an edge from its neighbour makes triangles that no smoothing opens. All others get about as good as without
+/// A vertex a billionth of an edge from its neighbour makes triangles that no smoothing opens. All others get as good as without
 /// it.
 #[test]
 fn a_collapsed_triangle_holds_up_nothing_else() {
@@ -201,7 +201,7 @@ fn a_collapsed_triangle_holds_up_nothing_else() {
         next_to_w.barycentric = next_to_w.barycentric.map(|b| (b + 1e-9) / (1.0 + 3e-9));
         collapsed.domain.region.points[v] = next_to_w;
         let report = collapsed.relax_holding(&[v, w], &smooth).report;
-        assert!(report.end.ar_mean > calm.ar_mean - 0.07, "{name}: {report:?}, {calm:?}");
+        assert!(report.end.ar_mean > calm.ar_mean - 0.05, "{name}: {report:?}, {calm:?}");
         assert!(report.end.ar_mean > report.start.ar_mean, "{name}: {report:?}");
     }
 }
