@@ -32,6 +32,8 @@ pub enum Remedy {
     FewerCreases(f64),
     /// The surroundings of faulty triangles relaxed by themselves, as far as so many base edges.
     RelaxPlaces(f64),
+    /// Vertices beside faulty triangles moved to places that the certificate accepts.
+    Nudge,
     /// Edges of the base mesh bisected under faulty triangles, or where the input is missed.
     BisectBase(EdgeChoice),
     /// The creases beside faulty triangles let go of.
@@ -77,6 +79,7 @@ impl fmt::Display for Remedy {
             Self::MoreCreases => write!(f, "with more creases"),
             Self::FewerCreases(factor) => write!(f, "with {factor} times the base vertices and fewer creases"),
             Self::RelaxPlaces(reach) => write!(f, "faulty places relaxed as far as {reach} base edges"),
+            Self::Nudge => write!(f, "vertices beside faulty triangles moved"),
             Self::BisectBase(EdgeChoice::Longest) => write!(f, "longest base edges bisected under faulty triangles"),
             Self::BisectBase(EdgeChoice::AtTip) => write!(f, "base edges at the tips of faulty triangles bisected"),
             Self::BisectBase(EdgeChoice::Shortest) => write!(f, "shortest base edges bisected under faulty triangles"),

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::base::{Base, BaseCounts, BaseStages};
+use crate::nudged::{nudged, welded};
 use crate::raised::Raised;
 use crate::report::SnapCounts;
 use crate::verdict::Verdict;
@@ -29,6 +30,8 @@ pub(crate) struct Candidate {
     pub(crate) raised: Raised,
     /// Whether creases of the network were let go of for the finest level. The base mesh keeps them, and can't be refined any more.
     pub(crate) is_released: bool,
+    /// Whether vertices were nudged, as nothing else freed some triangles.
+    pub(crate) is_nudged: bool,
     /// What the finest level was snapped to.
     pub(crate) snapped: SnapCounts,
     /// Why it was not, though there is something to snap to.
@@ -49,6 +52,7 @@ impl Candidate {
             faults,
             raised,
             is_released: false,
+            is_nudged: false,
             snapped: SnapCounts::default(),
             unsnapped: None,
         }
@@ -58,6 +62,15 @@ impl Candidate {
     pub(crate) fn with(self, input: &Reference, surface: Surface, relaxed: Relaxed) -> Self {
         let (raised, faults) = judged(input, &surface, &relaxed.domain);
         Self { surface, relaxed, faults, raised, ..self }
+    }
+
+    /// The same with vertices nudged, where the certificate refuses less of it then.
+    pub(crate) fn nudged(&self, input: &Reference) -> Option<Self> {
+        let domain = nudged(input, &self.surface, &self.relaxed.domain, self.faults.faces())?;
+        let nudged = Self { is_nudged: true, ..self.clone() };
+        let after = nudged.with(input, self.surface.clone(), Relaxed { domain, ..self.relaxed.clone() });
+        let refused = |c: &Self| (c.n_faults(), welded(&c.surface, &c.relaxed.domain).len());
+        (refused(&after) < refused(self)).then_some(after)
     }
 
     /// How many triangles the certificate would refuse.

@@ -14,6 +14,7 @@
 //! ```
 
 mod attempt;
+mod badness;
 mod base;
 mod best;
 mod candidate;
@@ -21,6 +22,7 @@ mod error;
 mod finish;
 mod goal;
 mod input;
+mod nudged;
 mod options;
 mod progress;
 mod raised;

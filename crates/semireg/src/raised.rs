@@ -1,8 +1,9 @@
 //! [`Raised`]: vertices that stand a little off the surface, so that the triangles at them have an area.
 
+use crate::badness::badness;
 use certify::{Faults, Reference, faulty_faces_among};
 use glam::DVec3;
-use mesh_core::{FaceId, TriMesh, VertexId, aspect_ratio};
+use mesh_core::{FaceId, TriMesh, VertexId};
 use region_map::{Attachment, Domain, Surface};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,8 +12,6 @@ use std::collections::{BTreeMap, BTreeSet};
 const MOST: f64 = 6e-4;
 /// Offsets that are tried each way: the greatest, half of it, and so on.
 const TRIED: i32 = 8;
-/// The quality (AR) that the triangles shall have. The certificate asks for half of it.
-const SOUND: f64 = 0.02;
 /// Passes over the vertices at most.
 const PASSES: usize = 4;
 /// Where a greater share of the triangles is faulty the base mesh is wrong.
@@ -118,13 +117,8 @@ impl Raising<'_> {
         self.offsets.insert(v, best.1);
     }
 
-    /// What a triangle lacks in quality, as a share, and one more where it faces against the input. 0 for a sound one.
     fn badness(&self, f: FaceId) -> f64 {
-        let triangle = self.domain.mesh.face(f).map(|v| self.position(v));
-        let [a, b, c] = triangle;
-        let lacking = (1.0 - aspect_ratio(triangle) / SOUND).max(0.0);
-        let is_folded = self.input.index().opposes((a + b + c) / 3.0, (b - a).cross(c - a));
-        lacking + f64::from(is_folded)
+        badness(self.input, self.domain.mesh.face(f).map(|v| self.position(v)))
     }
 
     fn position(&self, v: VertexId) -> DVec3 {

@@ -37,10 +37,21 @@ const MOST_GROWTH_OF_ASKED: f64 = 0.25;
 /// Where there are many, the base mesh is bisected under all of them at once. Where there are few, the triangles around are relaxed by themselves first: among
 /// hundreds of thousands they have little say. Then the base faces under them are bisected. No vertex of the finest level is lost by that, new ones come
 /// in the middle of edges, and so the relaxed places are the start of the next try.
+///
+/// What none of this frees is nudged in the end. Not before: a bisection also brings the triangles nearer to the surface.
 pub(crate) fn mended(input: &Reference, start: Candidate, options: &Options, run: &mut Run) -> Result<Candidate, Error> {
-    if options.base_mesh.is_some() || start.n_faults() == 0 {
+    if options.base_mesh.is_some() {
         return Ok(start);
     }
+    let mended = if start.n_faults() == 0 { start } else { relaxed_and_refined(input, start, options, run)? };
+    let begun = Instant::now();
+    let Some(nudged) = mended.nudged(input) else { return Ok(mended) };
+    run.record(Remedy::Nudge, None, nudged.verdict(), begun);
+    Ok(nudged)
+}
+
+/// Relaxes faulty places, and refines the base mesh under them.
+fn relaxed_and_refined(input: &Reference, start: Candidate, options: &Options, run: &mut Run) -> Result<Candidate, Error> {
     let growth = if options.base_vertices.is_some() { MOST_GROWTH_OF_ASKED } else { MOST_GROWTH };
     let mender = Mender::new(input, options, &start, growth, "some triangles stay folded");
     let refined = refined_under_all(&mender, start, run)?;
