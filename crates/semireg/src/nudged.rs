@@ -16,7 +16,7 @@ const REACHES: [f64; 5] = [0.02, 0.08, 0.25, 0.6, 1.2];
 const PASSES: usize = 12;
 /// Where a greater share of the triangles is faulty the base mesh is wrong.
 const MOST_FAULTY: f64 = 0.02;
-/// A vertex at the same vertex of the surface as another one is as bad as a triangle that faces against the input.
+/// A vertex at the same vertex of the surface as another one is worse than a triangle that faces against the input.
 const WELDED: f64 = 2.0;
 
 /// A domain whose vertices inside sheets have moved a little, near `faulty` triangles that the certificate would refuse, and near vertices that are
