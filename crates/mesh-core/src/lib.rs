@@ -39,6 +39,7 @@ mod topology;
 mod tri_mesh;
 mod triangle;
 mod walk;
+mod ways;
 
 pub use clean::{CleanError, CleanOptions, CleanReport, Cleaned, clean, clean_until};
 pub use filling::cheapest_filling;
@@ -54,3 +55,4 @@ pub use topology::{Topology, TopologyError};
 pub use tri_mesh::{MeshError, Soup, TriMesh};
 pub use triangle::{Line, barycentric, closest_on_segment, closest_on_triangle, distance_to_segment};
 pub use walk::{Walked, walk, walk_end};
+pub use ways::ways_around;

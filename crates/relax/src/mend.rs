@@ -10,7 +10,7 @@ use crate::movable_domain::MovableDomain;
 use crate::placed_vertex::PlacedVertex;
 use crate::placement::Placement;
 use glam::DVec3;
-use mesh_core::{FaceId, Id as _, SurfaceIndex, VertexId, aspect_ratio, normal};
+use mesh_core::{FaceId, Id as _, SurfaceIndex, VertexId, aspect_ratio, normal, ways_around};
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
@@ -143,16 +143,7 @@ impl Sight<'_> {
     /// Displacements to try: to the middle of the neighbours, and all around in the tangent plane.
     fn ways(&self, placement: &Placement, v: VertexId, placed: &PlacedVertex) -> Vec<DVec3> {
         let ring: Vec<DVec3> = self.domain.topology.one_ring(v).map(|w| placement[w].position - placed.position).collect();
-        let n = ring.len().max(1) as f64;
-        let reach = ring.iter().map(|w| w.length()).sum::<f64>() / n;
-        let up = (placed.normals[0] + placed.normals[1]).try_normalize().unwrap_or(DVec3::Z);
-        let (x, y) = up.any_orthonormal_pair();
-        let direction = |i: usize| {
-            let (sin, cos) = (i as f64 * std::f64::consts::TAU / DIRECTIONS as f64).sin_cos();
-            cos * x + sin * y
-        };
-        let around = REACHES.iter().flat_map(|r| (0..DIRECTIONS).map(move |i| *r * reach * direction(i)));
-        std::iter::once(ring.iter().sum::<DVec3>() / n).chain(around).collect()
+        ways_around(&ring, placed.normals[0] + placed.normals[1], DIRECTIONS, &REACHES)
     }
 
     /// The score of a vertex, as far as the normals at the corners of its triangles tell. `None`, which is less than any score, where one of the

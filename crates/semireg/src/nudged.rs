@@ -3,10 +3,9 @@
 use crate::badness::badness;
 use certify::Reference;
 use glam::DVec3;
-use mesh_core::{FaceId, IdVec, SurfacePoint, VertexId, walk_end};
+use mesh_core::{FaceId, IdVec, SurfacePoint, VertexId, walk_end, ways_around};
 use region_map::{Attachment, Domain, RegionMap, Surface};
 use std::collections::BTreeSet;
-use std::f64::consts::TAU;
 
 /// A vertex tries places in so many directions. More find more ways out, and take as much longer.
 const DIRECTIONS: usize = 12;
@@ -47,8 +46,9 @@ pub(crate) fn nudged(input: &Reference, surface: &Surface, domain: &Domain, mut 
 /// The vertices inside sheets that are at the same vertex of the surface as another one, such as the tip of a spike that many ways over the surface
 /// lead to: the certificate would weld them.
 pub(crate) fn welded(surface: &Surface, domain: &Domain) -> Vec<VertexId> {
-    let n_at = n_at(surface, &domain.region.points);
-    domain.region.vertices().filter(|&v| is_welded(surface, domain, &n_at, v, domain.region.points[v])).collect()
+    let (region, n_at) = (&domain.region, n_at(surface, &domain.region.points));
+    let is_inside = |v: VertexId| matches!(region.attachments[v], Attachment::Sheet(_));
+    region.vertices().filter(|&v| is_inside(v) && is_shared(surface, &n_at, region.points[v])).collect()
 }
 
 /// How many of some points are at each vertex of the surface.
@@ -58,10 +58,9 @@ fn n_at(surface: &Surface, points: &IdVec<VertexId, SurfacePoint>) -> IdVec<Vert
     n_at
 }
 
-/// Whether a vertex at this point is inside a sheet and not alone there.
-fn is_welded(surface: &Surface, domain: &Domain, n_at: &IdVec<VertexId, u32>, v: VertexId, point: SurfacePoint) -> bool {
-    let is_inside = matches!(domain.region.attachments[v], Attachment::Sheet(_));
-    is_inside && vertex_at(surface, point).is_some_and(|w| n_at[w] > 1)
+/// Whether a point with a vertex is at a vertex of the surface, and others are there, too.
+fn is_shared(surface: &Surface, n_at: &IdVec<VertexId, u32>, point: SurfacePoint) -> bool {
+    vertex_at(surface, point).is_some_and(|w| n_at[w] > 1)
 }
 
 /// Vertices that are being nudged.
@@ -82,12 +81,12 @@ impl<'a> Nudging<'a> {
         Self { input, surface, domain, positions, points, n_at }
     }
 
-    fn is_welded(&self, v: VertexId) -> bool {
-        is_welded(self.surface, self.domain, &self.n_at, v, self.points[v])
+    fn is_shared(&self, v: VertexId) -> bool {
+        is_shared(self.surface, &self.n_at, self.points[v])
     }
 
     fn is_faulty(&self, f: FaceId) -> bool {
-        self.badness(f) > 0.0 || self.domain.mesh.face(f).into_iter().any(|v| self.is_welded(v))
+        self.badness(f) > 0.0 || self.domain.mesh.face(f).into_iter().any(|v| self.is_shared(v))
     }
 
     /// Puts a vertex to a point of the surface.
@@ -121,23 +120,17 @@ impl<'a> Nudging<'a> {
         best != before
     }
 
-    /// Displacements that a vertex tries: towards the middle of its neighbours, and all around in the plane of its face.
+    /// Displacements that a vertex tries: half the way and all the way to the middle of its neighbours, and all around in the plane of its face.
     fn ways(&self, v: VertexId) -> Vec<DVec3> {
         let ring: Vec<DVec3> = self.domain.topology.one_ring(v).map(|w| self.positions[w] - self.positions[v]).collect();
-        let n = ring.len().max(1) as f64;
-        let reach = ring.iter().map(|way| way.length()).sum::<f64>() / n;
-        let (x, y) = self.surface.mesh().normal(self.points[v].face).try_normalize().unwrap_or(DVec3::Z).any_orthonormal_pair();
-        let around = (0..DIRECTIONS).map(|i| (TAU * i as f64 / DIRECTIONS as f64).sin_cos()).map(|(sin, cos)| cos * x + sin * y);
-        let around: Vec<DVec3> = around.collect();
-        let all_around = REACHES.iter().flat_map(|share| around.iter().map(move |way| share * reach * *way));
-        let to_middle = ring.iter().sum::<DVec3>() / n;
-        [0.5 * to_middle, to_middle].into_iter().chain(all_around).collect()
+        let ways = ways_around(&ring, self.surface.mesh().normal(self.points[v].face), DIRECTIONS, &REACHES);
+        std::iter::once(0.5 * ways[0]).chain(ways).collect()
     }
 
     /// How bad a vertex and the triangles at it are together; `None` where that is not less than `least`.
     fn badness_at(&self, v: VertexId, least: f64) -> Option<f64> {
         let mut faces = self.domain.topology.faces_at(v);
-        let start = if self.is_welded(v) { WELDED } else { 0.0 };
+        let start = if self.is_shared(v) { WELDED } else { 0.0 };
         let sum = faces.try_fold(start, |sum, f| Some(sum + self.badness(f)).filter(|sum| *sum < least))?;
         (sum < least).then_some(sum)
     }
@@ -149,8 +142,7 @@ impl<'a> Nudging<'a> {
 
 /// The vertex of the surface that a point is at.
 fn vertex_at(surface: &Surface, point: SurfacePoint) -> Option<VertexId> {
-    let corner = point.barycentric.to_array().into_iter().position(|weight| weight == 1.0)?;
-    surface.mesh().faces().get(point.face).map(|face| face[corner])
+    (point.barycentric.max_element() == 1.0).then(|| point.nearest_vertex(surface.mesh()))
 }
 
 #[cfg(test)]

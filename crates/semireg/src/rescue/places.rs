@@ -38,7 +38,8 @@ const MOST_GROWTH_OF_ASKED: f64 = 0.25;
 /// hundreds of thousands they have little say. Then the base faces under them are bisected. No vertex of the finest level is lost by that, new ones come
 /// in the middle of edges, and so the relaxed places are the start of the next try.
 ///
-/// What none of this frees is nudged in the end. Not before: a bisection also brings the triangles nearer to the surface.
+/// What none of this frees is nudged in the end, and so are vertices that would be welded, which are no faulty triangles. Not before: a bisection also
+/// brings the triangles nearer to the surface.
 pub(crate) fn mended(input: &Reference, start: Candidate, options: &Options, run: &mut Run) -> Result<Candidate, Error> {
     if options.base_mesh.is_some() {
         return Ok(start);
